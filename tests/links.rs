@@ -123,7 +123,7 @@ fn session() -> impl Strategy<Value = Session> {
     let comparisons = [Comparison::Off, Comparison::Fresh, Comparison::Precomputed, Comparison::Both];
     let drawn = (
         one_of(&[Direction::Forward, Direction::Backward]).prop_map(Command::SetDirection),
-        one_of(&[Extension::Harmonic, Extension::CauchyGreen]).prop_map(Command::SetExtension),
+        one_of(&[Extension::Harmonic, Extension::CauchyGreen, Extension::Exact]).prop_map(Command::SetExtension),
         one_of(&textures).prop_map(Command::SetTexture),
         CELLS.prop_map(Command::SetTextureScale),
         one_of(&Side::BOTH).prop_map(Command::SetTextureSide),

@@ -24,7 +24,8 @@ pub struct InvariantsArguments {
     /// extremal distance between the arcs from mark 1 to 2 and from mark 3 to 4.
     #[arg(long, value_name = "S,S,S,S", allow_hyphen_values = true)]
     pub marks: Option<Marks>,
-    /// What an outline's points are taken for, as for `riemap map`. The sides of a curve are its parts between corners.
+    /// What an outline's points are taken for, as for `riemap map`. The sides of a curve are the
+    /// segments of a path, and the parts between corners of a smooth list of points, divided at the first point.
     #[arg(long, default_value = "auto")]
     pub interpret: InterpretArgument,
     /// Cut off small loops and spikes of a file's outline instead of refusing it.

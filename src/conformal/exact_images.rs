@@ -1,7 +1,7 @@
 //! The exact images of a mesh's interior vertices, computed in slices so that a large mesh does not block a frame.
 //!
-//! Boundary vertices keep their images, and so do interior ones that lie beyond the curve, next to a concave part of it
-//! which the mesh's edges cut off.
+//! Boundary vertices keep their images, and so do interior ones that lie on the curve or beyond it, next to a concave
+//! part of it which the mesh's edges cut off.
 
 use super::{ConformalMap, SlicedInterior};
 use crate::geometry::DVec2;

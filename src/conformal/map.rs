@@ -13,7 +13,6 @@
 //! With [`Extension::CauchyGreen`] and [`Extension::Exact`] an update yields the harmonic images;
 //! [`ConformalMap::refine`] then replaces them chunk by chunk, within the given time.
 
-use super::exact_images::ExactImages;
 use super::kernel::KernelScratch;
 use super::map_run::Run;
 use super::map_side::MapSide;
@@ -69,7 +68,7 @@ pub struct ConformalMap {
 }
 
 impl ConformalMap {
-    /// The map under `constraints`; with [`Extension::CauchyGreen`], see [`Self::update`].
+    /// The map under `constraints`; unless [`Extension::Harmonic`] is asked for, see [`Self::update`].
     pub fn new(
         source: Arc<PreparedSide>,
         target: Arc<PreparedSide>,
@@ -123,7 +122,7 @@ impl ConformalMap {
 
     /// Recomputes what depends on the changed constraints or settings. After an error the map is unchanged.
     ///
-    /// With [`Extension::CauchyGreen`] the images are harmonic after a change, until
+    /// With [`Extension::CauchyGreen`] and [`Extension::Exact`] the images are harmonic after a change, until
     /// [`Self::refine`] has replaced them all.
     pub fn update(&mut self, constraints: &Constraints, settings: MapSettings) -> Result<(), MapError> {
         self.advance(constraints, settings, Deadline::NEVER).map(|_| ())
@@ -191,16 +190,14 @@ impl ConformalMap {
                 }
                 self.timings.extend += start.elapsed().as_secs_f64() * 1e3;
             }
-            Extension::Exact => {
-                let exact = ExactImages::begin(self);
-                self.refinement.restart_exactly(exact);
-            }
+            Extension::Exact => self.refinement.restart_exactly(),
         }
     }
 
     /// Replaces harmonic images by Cauchy–Green or exact ones for about `budget_ms` (the clock is checked
-    /// every few milliseconds; at least one chunk is done; infinity completes all). Returns whether
-    /// the extension is complete; with [`Extension::Harmonic`] it always is.
+    /// every few milliseconds; at least one chunk of Cauchy–Green images is done; infinity completes all). Returns
+    /// whether the extension is complete; with [`Extension::Harmonic`] it always is, and with [`Extension::Exact`] where
+    /// a side has finite elements: there images stay harmonic.
     ///
     /// The coordinates of a mesh up to [`super::STORED_BYTES`] are kept while its domain is mapped.
     pub fn refine(&mut self, budget_ms: f64) -> bool {

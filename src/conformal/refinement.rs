@@ -14,16 +14,27 @@ use web_time::Instant;
 pub(super) struct Refinement {
     coordinates: Option<CauchyGreen>,
     values: BoundaryValues,
-    /// The first vertex that is not replaced yet; `None` if none is to be replaced.
-    next: Option<usize>,
-    /// The replacement by exact images; not together with `next`.
-    exact: Option<ExactImages>,
+    pending: Pending,
+}
+
+/// The images that are to be replaced.
+#[derive(Debug, Default)]
+enum Pending {
+    /// None, or none any more.
+    #[default]
+    Nothing,
+    /// By Cauchy–Green ones, from this vertex on.
+    CauchyGreen(usize),
+    /// By exact ones, not begun.
+    ExactDue,
+    /// By exact ones.
+    Exact(Box<ExactImages>),
 }
 
 impl Refinement {
     /// Ends the replacement. The stored coordinates are kept.
     pub(super) fn clear(&mut self) {
-        (self.next, self.exact) = (None, None);
+        self.pending = Pending::Nothing;
     }
 
     /// Restarts with the boundary images `values` of `domain`. Coordinates of the same domain are kept.
@@ -32,22 +43,35 @@ impl Refinement {
             self.coordinates = Some(CauchyGreen::new(Arc::clone(domain), STORED_BYTES));
         }
         self.values.set(values);
-        (self.next, self.exact) = (Some(0), None);
+        self.pending = Pending::CauchyGreen(0);
     }
 
     /// Restarts with exact images.
-    pub(super) fn restart_exactly(&mut self, exact: Option<ExactImages>) {
-        (self.next, self.exact) = (None, exact);
+    pub(super) fn restart_exactly(&mut self) {
+        self.pending = Pending::ExactDue;
     }
 
-    /// Replaces images by exact ones, if those are asked for, for about `budget_ms`; returns whether that is complete.
+    /// Replaces images of `map` by exact ones for about `budget_ms`, if those are asked for; returns whether that is
+    /// complete, as it is at once with finite elements on a side.
     pub(super) fn advance_exactly(&mut self, map: &ConformalMap, images: &mut [DVec2], budget_ms: f64) -> bool {
-        self.exact.as_mut().is_none_or(|exact| exact.advance(map, images, Deadline::in_ms(budget_ms)))
+        let deadline = Deadline::in_ms(budget_ms);
+        if matches!(self.pending, Pending::ExactDue) {
+            let begun = ExactImages::begin(map).map(Box::new);
+            self.pending = begun.map_or(Pending::Nothing, Pending::Exact);
+        }
+        let Pending::Exact(exact) = &mut self.pending else { return true };
+        let is_complete = exact.advance(map, images, deadline);
+        if is_complete {
+            self.pending = Pending::Nothing;
+        }
+        is_complete
     }
 
     /// Replaces images for about `budget_ms` (at least one chunk); returns whether all are replaced.
     pub(super) fn advance(&mut self, images: &mut [DVec2], budget_ms: f64) -> bool {
-        let (Some(next), Some(coordinates)) = (&mut self.next, &mut self.coordinates) else { return true };
+        let (Pending::CauchyGreen(next), Some(coordinates)) = (&mut self.pending, &mut self.coordinates) else {
+            return true;
+        };
         if *next < images.len() {
             let start = Instant::now();
             let mut go_on = |_| {
@@ -61,7 +85,7 @@ impl Refinement {
 
     /// Replaces all images, in f64, without storing coordinates; `progress` is called with the completed fraction.
     pub(super) fn finish_exactly(&mut self, images: &mut [DVec2], progress: &mut dyn FnMut(f64)) {
-        let (Some(next), Some(coordinates)) = (&mut self.next, &self.coordinates) else { return };
+        let (Pending::CauchyGreen(next), Some(coordinates)) = (&mut self.pending, &self.coordinates) else { return };
         let mut exact = CauchyGreen::new(Arc::clone(coordinates.domain()), 0);
         let mut go_on = |done| {
             progress(done);
@@ -72,8 +96,13 @@ impl Refinement {
 
     /// The fraction of the vertices whose images are replaced; 1 if none is to be replaced.
     pub(super) fn progress(&self, vertices: usize) -> f64 {
-        let done = self.exact.as_ref().map(ExactImages::done).or(self.next);
-        done.map_or(1.0, |done| done as f64 / vertices as f64)
+        let done = match &self.pending {
+            Pending::Nothing => vertices,
+            Pending::CauchyGreen(next) => *next,
+            Pending::ExactDue => 0,
+            Pending::Exact(exact) => exact.done(),
+        };
+        if vertices == 0 { 1.0 } else { done as f64 / vertices as f64 }
     }
 
     /// Whether the coordinates are stored or computed; `None` if they were never needed.

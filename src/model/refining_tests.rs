@@ -196,6 +196,27 @@ fn a_refinement_longer_than_a_frame_takes_several_and_is_the_same() {
 }
 
 #[test]
+fn exact_images_in_a_crowded_domain_do_not_fold() {
+    for presets in [[Preset::Disk, Preset::VShape], [Preset::VShape, Preset::Disk]] {
+        let settings = session(presets).domain(Side::Source).settings.with_kernel(KernelMode::Integral);
+        let sharp = Side::BOTH.map(|side| Command::SetSettings { side, settings });
+        let mut model = Model::new(session(presets).and(sharp).and([Command::SetExtension(Extension::Exact)]));
+        model.update_ms = f64::INFINITY;
+        rest(&mut model);
+        while model.extension_progress() < 1.0 {
+            assert!(model.refresh(false).images);
+        }
+        let map = model.map().unwrap();
+        assert!(
+            share_of_flips(map) <= 1e-3,
+            "{presets:?}: {} of {}",
+            map.quality().flipped,
+            map.mapped().triangles().len()
+        );
+    }
+}
+
+#[test]
 fn exact_images_at_rest_are_those_of_a_moebius_map() {
     let (a, anchor) = (0.5, 0.0);
     let points = [a, 0.0].map(|x| SidePoints::Outline { interior: Some(DVec2::new(x, 0.0)), anchor });

@@ -41,7 +41,8 @@ impl Model {
             changes |= self.advance_fine();
         }
         // exact images are those of the map at rest
-        let waits = self.session.extension() == Extension::Exact && (dragging || self.is_refining());
+        let is_moving = dragging || !self.is_sharp() || self.is_refining();
+        let waits = self.session.extension() == Extension::Exact && is_moving;
         let refined = self.refines == Refines::InRefresh && !waits && self.refine();
         changes.images |= changes.map || refined;
         self.shown.map_generation += u64::from(changes.map || changes.meshes);

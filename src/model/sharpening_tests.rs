@@ -126,6 +126,11 @@ fn a_point_next_to_the_edge_stays_when_a_side_is_prepared_again() {
     }
     assert!(model.is_ready());
     assert_eq!(model.interior(Side::Source), Some(beside));
+    let opened = settled(model.session().clone());
+    assert!(opened.is_ready() && opened.user_errors(Side::Source).count() == 0);
+    assert_eq!(opened.session(), model.session(), "it stays when it is opened");
+    let [there, here] = [&opened, &model].map(|model| model.map().unwrap().images()[0]);
+    assert!(there.distance(here) < 1e-9, "{there} and {here}");
 }
 
 #[test]

@@ -81,10 +81,11 @@ impl Model {
     /// Estimates the errors of the full or the refined map: at once if that is cheap or nothing moves.
     pub(super) fn estimate(&mut self, is_moving: bool) {
         let is_affordable = !is_moving || self.shown.estimated.milliseconds < CHEAP_MS;
-        if is_affordable && !self.is_draft() && self.shown.estimated.generation != self.shown.generation {
+        // images of interior vertices have no part in it
+        if is_affordable && !self.is_draft() && self.shown.estimated.generation != self.shown.map_generation {
             let shown = &mut self.shown;
             let milliseconds = shown.estimated.milliseconds;
-            shown.estimated.renew(self.fine.map().or(shown.map.as_ref()), shown.generation);
+            shown.estimated.renew(self.fine.map().or(shown.map.as_ref()), shown.map_generation);
             if self.fine.map().is_some() {
                 // a map that moves is not refined
                 shown.estimated.milliseconds = milliseconds;

@@ -8,7 +8,8 @@
 //! map. Its update keeps the constraints that it started with until it is complete; then the next one takes the present
 //! ones.
 
-use crate::conformal::{ConformalMap, Constraints, MapError, Side};
+use crate::conformal::{ConformalMap, Constraints, InteriorPoint, MapError, Side};
+use crate::geometry::DVec2;
 use crate::language::Message;
 use crate::laplace::{Deadline, SolverKind};
 use crate::model::{Changes, Model, pattern};
@@ -174,9 +175,24 @@ impl Model {
         Changes { meshes: retired, map: retired, images: retired }
     }
 
-    /// Where the points of both sides are.
+    /// Whether the interior point of an outline may be here, though perhaps only with the equation that it awaits.
+    fn may_be_at(&self, side: Side, point: DVec2) -> bool {
+        let Some(prepared) = self.prepared(side) else { return false };
+        let is_inside_curve =
+            || self.session.domain(side).outline.curve().is_ok_and(|curve| curve.curve().contains(point));
+        prepared.contains(point) || prepared.awaits_equation() && is_inside_curve()
+    }
+
+    /// Where the points of both sides are. A point that only the curve contains is moved into the mesh, until the
+    /// equation on the curve is there.
     pub(super) fn constraints(&self) -> Option<Constraints> {
-        let of_side = |side| Some((self.point(side)?, self.session.side(side).points().anchor()));
+        let place = |side: Side| match (self.point(side)?, self.prepared(side)) {
+            (InteriorPoint::Plane(x), Some(prepared)) if prepared.awaits_equation() && !prepared.contains(x) => {
+                self.interior_near(side, x).map(InteriorPoint::from)
+            }
+            (point, _) => Some(point),
+        };
+        let of_side = |side| Some((place(side)?, self.session.side(side).points().anchor()));
         Some(Constraints::new(of_side(Side::Source)?, of_side(Side::Target)?))
     }
 
@@ -184,7 +200,7 @@ impl Model {
     pub(super) fn keep_points_inside(&mut self) {
         for side in Side::BOTH {
             if let Some(point) = self.session.side(side).interior
-                && !self.prepared(side).is_some_and(|prepared| prepared.contains(point))
+                && !self.may_be_at(side, point)
                 && let Some(inside) = self.interior_near(side, point)
             {
                 self.session.apply(Command::MoveInterior { side, point: inside.into() });

@@ -67,13 +67,14 @@ withOneBackend('the pointer', (bench) => {
   test(
     'exact images are chosen, complete at rest, and kept in the session; finite elements have none',
     bench.withApp(async (app) => {
-      const { undo } = await openDisks(app, 'integral');
+      const { undo, image_of_mapped_point: harmonic } = await openDisks(app, 'integral');
       await app.walkTo(/^Exact, choice, not selected/);
       await app.press('Space');
       const isExact = (stats, count) => stats.ready && stats.undo === count && stats.extension_progress === 1;
       const exact = await app.atRest('the images are exact', isExact, undo + 1);
       assert.equal((await app.session()).extension, 'exact');
       const { image_of_mapped_point: [u, v], expected } = exact;
+      assert.notDeepEqual([u, v], harmonic);
       // interpolated in a triangle of exact images
       assert.ok(Math.hypot(u - expected[0], v - expected[1]) < 1e-3, `${[u, v]} for ${expected}`);
       await app.picture(`${bench.backend}-exact`);

@@ -8,7 +8,7 @@ import { withOneBackend } from './backends.mjs';
 /** A picture may have this share of flipped triangles. */
 const FLIPS = 1e-3;
 
-/** Equations that resolve another point as well have other panels: images differ in the digits that none of them has. */
+/** Equations that resolve another point as well have other panels, and images that differ by their errors. */
 const SAME = 1e-9;
 
 const flips = ({ flipped, triangles }) => flipped / triangles;

@@ -1,7 +1,8 @@
 //! The map inside of a sampled polygon with images that are linear on its edges, for measures from finite elements.
 //!
-//! f is Cauchy's integral over the edges, f′ = Σ (Δw/Δv) log((v_{k+1} − z)/(v_k − z))/(2πi), and an error e_k of the
-//! boundary values, one of f of at most Σ e_k |log((v_{k+1} − z)/(v_k − z))|/(2π).
+//! f is Cauchy's integral over the edges, f′ = Σ (Δw/Δv) log((v_{k+1} − z)/(v_k − z))/(2πi), and an error that is
+//! e_k on edge k one of f of at most Σ e_k |log((v_{k+1} − z)/(v_k − z))|/(2π); errors that change their sign within an
+//! edge may add up to more.
 
 use super::{InteriorImage, NoInteriorMap};
 use crate::cauchy_integral::Evaluation;

@@ -121,8 +121,8 @@ impl ConformalMap {
         self.compared.is_some()
     }
 
-    /// An estimate of the error of the image of each boundary vertex of a side in the other one, whichever is mapped;
-    /// `None` unless both measures are from the boundary integral, or the map was [compared](Self::compare_with).
+    /// An estimate of the error of the image of each boundary vertex of a side in the other one. `None` unless the map was
+    /// [compared](Self::compare_with), or the side is the mapped one and both measures are from the boundary integral.
     pub fn boundary_errors(&self, from: Side) -> Option<Vec<f64>> {
         match &self.compared {
             Some(compared) if from != self.mapped_side() => Some(compared.inverse.clone()),

@@ -57,7 +57,8 @@ keys_of_labels! {
     // locks
     locked,
     // method
-    method, cauchy_green_needs_plane, exact_needs_integral, harmonic, cauchy_green, exact_images, exact_images_tooltip, integral_kernel, adjoint_kernel, table_paper, cholesky, pcg,
+    method, cauchy_green_needs_plane, exact_needs_integral, harmonic, cauchy_green, exact_images, exact_images_tooltip,
+    integral_kernel, adjoint_kernel, table_paper, cholesky, pcg,
     harmonic_tooltip, cauchy_green_tooltip, integral_kernel_tooltip, adjoint_kernel_tooltip, finite_elements,
     finite_elements_tooltip, surfaces_use_finite_elements, sharpening, sharpening_tooltip, error_estimate_tooltip,
     refining, refining_tooltip, unresolved_tooltip,
