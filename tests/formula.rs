@@ -9,9 +9,13 @@ use riemap::conformal::{
     ConformalMap, Constraints, KernelMode, MapSettings, PrepareSettings, Side, prepare, prepare_curve,
 };
 use riemap::exact::{Complex, blob, complex, disk, square, vshape};
+use riemap::export::FormulaFormat;
 use riemap::geometry::{CurvePoint, DVec2};
 use riemap::outline::Preset;
 use riemap::rational::{Formula, FormulaError};
+use riemap::session::{Command as Edit, OutlineSpec, Session, SurfaceShape, SurfaceSpec};
+use riemap::surface::SurfacePreset;
+use riemap::worker::{Finding, FormulaTask, Study};
 use std::io::Write as _;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -269,7 +273,7 @@ fn a_formula_of_finite_elements_is_refused() {
     let constraints = Constraints::new((side.default_point(), 0.0), (side.default_point(), 0.0));
     let map = ConformalMap::new(side.clone(), side, &constraints, MapSettings::default()).unwrap();
     let refused = Formula::new(&map, 8, &mut |_| true);
-    assert!(matches!(refused, Err(FormulaError::FiniteElements { side: Side::Source, .. })), "{refused:?}");
+    assert_eq!(refused, Err(FormulaError::NoIntegral { side: Side::Source }));
 }
 
 #[test]
@@ -305,4 +309,61 @@ fn degrees_and_digits_of_all_pairs() {
             }
         }
     }
+}
+
+/// The session of a map between two presets, with these interior points.
+fn session(presets: [Preset; 2], points: [DVec2; 2]) -> Session {
+    let outline = |side: Side| OutlineSpec::Preset(presets[side as usize]);
+    let edits = Side::BOTH.map(|side| Edit::SetOutline { side, outline: outline(side) });
+    let moves = Side::BOTH.map(|side| Edit::MoveInterior { side, point: points[side as usize].into() });
+    Session::with(edits).and(moves).and([Edit::MoveAnchor { side: Side::Target, fraction: 0.1 }])
+}
+
+#[test]
+fn the_app_writes_the_files_of_the_command_line() {
+    let folder = folder("app");
+    let session = session([Preset::Blob, Preset::Disk], [DVec2::new(2.5, 2.4), DVec2::new(0.1, 0.0)]);
+    for format in FormulaFormat::ALL {
+        let path = folder.join(format!("f.{}", format.extension()));
+        let points = "--source-point 2.5,2.4 --target-point 0.1,0 --target-anchor @0.1 --digits 4";
+        let points: Vec<&str> = points.split(' ').collect();
+        succeeds(
+            &[&["formula", "preset:blob", "preset:disk", "--out", path.to_str().unwrap()], points.as_slice()].concat(),
+        );
+        let mut last = 0.0;
+        let task = FormulaTask::new(&session, format, 4).unwrap();
+        let found = task.run(&mut |done| {
+            assert!((0.0..=1.0).contains(&done));
+            last = done;
+            true
+        });
+        let found = found.unwrap().unwrap();
+        assert!(found.text.as_bytes() == std::fs::read(&path).unwrap(), "{format:?}: another file");
+        assert!(
+            last > 0.5 && found.reached.source.digits >= 4 && found.reached.target.digits >= 4,
+            "{last}, {found:?}"
+        );
+    }
+}
+
+#[test]
+fn the_apps_formula_is_cancelled_and_refused_in_words() {
+    let task = |session: &Session| FormulaTask::new(session, FormulaFormat::Json, 8).unwrap();
+    let square = session([Preset::Square, Preset::Disk], [DVec2::new(0.1, 0.0), DVec2::ZERO]);
+    for steps in [1, 3, 10] {
+        let mut calls = 0;
+        let study = Study::Formula(Box::new(task(&square)));
+        let found = study.run(&mut |_| {
+            calls += 1;
+            calls < steps
+        });
+        assert!(found.is_none() && calls == steps, "{calls} calls: {found:?}");
+    }
+    let outside = session([Preset::Square, Preset::Disk], [DVec2::new(3.0, 0.0), DVec2::ZERO]);
+    let Some(Finding::Failed(reason)) = Study::Formula(Box::new(task(&outside))).run(&mut |_| true) else { panic!() };
+    assert!(reason.english().contains("source"), "{reason:?}");
+    let shape = SurfaceShape::preset(SurfacePreset::Hemisphere);
+    let surface = Session::with([Edit::SetSurface { side: Side::Target, surface: SurfaceSpec::new(shape) }]);
+    let Some(Finding::Failed(reason)) = Study::Formula(Box::new(task(&surface))).run(&mut |_| true) else { panic!() };
+    assert_eq!(reason.english(), "the target is a surface; a formula is for two outlines");
 }

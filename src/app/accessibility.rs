@@ -29,6 +29,8 @@ pub fn state(app: &RiemapApp) -> String {
         sentences.push(tr(key::being_prepared()).into());
     }
     sentences.extend(app.windows.explore.words().into_iter().flatten().map(String::from));
+    let formula = app.windows.exporter.formula_notes();
+    sentences.extend(formula.into_iter().map(|(note, _)| say(&key::sentence(note))));
     sentences.extend(app.messages.notice.map(|notice| String::from(tr(notice.text))));
     sentences.extend(app.errors().iter().map(|error| say(&key::problem(error.clone()))));
     sentences.join(" ")
@@ -93,6 +95,7 @@ pub fn control(info: &WidgetInfo) -> String {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
     use crate::app::input::action::{Action, EditAction, ExportAction, Report};
@@ -111,8 +114,8 @@ mod tests {
         app.carry_out(&context, vec![Action::Export(ExportAction::Open)]);
         app.windows.exporter.tell(Some(key::no_map().into()));
         app.windows.reports.open(Report::Convergence);
-        assert!(app.windows.reports.take_study().is_some());
-        app.windows.reports.accept(None, Finding::Failed(key::no_such_row().into()));
+        let study = app.windows.reports.take_study().unwrap();
+        app.windows.reports.accept(&study, Finding::Failed(key::no_such_row().into()));
         let errors = app.stats().screen.errors;
         assert_eq!(errors.len(), 3, "{errors:?}");
         assert!(errors[0].contains('x'), "{errors:?}");

@@ -29,6 +29,8 @@ struct News {
     /// The map at a point that was clicked.
     pointed: Option<PointedImage>,
     errors: Vec<Message>,
+    /// What the last formula reached, as the export window says it.
+    formula: Vec<(Message, bool)>,
     /// The step of the tour.
     step: Option<usize>,
     /// The preferences, which include the language.
@@ -90,6 +92,7 @@ impl RiemapApp {
             invariants: Side::BOTH.map(|side| self.model.invariants(side).cloned()),
             pointed: self.clicked(),
             errors: self.errors(),
+            formula: self.windows.exporter.formula_notes(),
             step: self.windows.explore.step(),
             preferences: self.screen.preferences,
             notice_until: self.messages.notice.map(|notice| notice.until),

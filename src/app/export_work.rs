@@ -7,9 +7,11 @@ use crate::app::windows::exporting::window::{MapState, Surroundings};
 use crate::conformal::PerSide;
 use crate::language::key;
 use crate::model::export::file;
+use crate::model::export::request::Kind;
 use crate::model::scene;
 use crate::offscreen::job::{Job, Scenery};
 use crate::platform;
+use crate::worker::{Finding, FormulaTask, Study};
 use egui::Context;
 
 impl RiemapApp {
@@ -19,8 +21,9 @@ impl RiemapApp {
             map: self.map_state(),
             abilities: self.model.abilities(),
             max_side: self.pictures.gpu.as_ref().map_or(0, Gpu::max_texture_side),
+            no_formula: self.model.refused_formula(),
         };
-        self.windows.exporter.show(context, around, actions);
+        self.windows.exporter.show(context, &around, actions);
     }
 
     fn map_state(&self) -> MapState {
@@ -36,14 +39,23 @@ impl RiemapApp {
         match action {
             ExportAction::Open => self.windows.exporter.open(),
             ExportAction::Save => self.save_export(context),
-            ExportAction::Cancel => self.windows.exporter.cancel(),
+            ExportAction::Cancel => {
+                self.windows.exporter.cancel();
+                self.workers.formula_runner.cancel();
+            }
             ExportAction::DismissError => self.windows.exporter.tell(None),
-            ExportAction::Close => self.windows.exporter.close(),
+            ExportAction::Close => {
+                self.windows.exporter.close();
+                self.workers.formula_runner.cancel();
+            }
         }
     }
 
     /// Saves the selected export, or starts a job that creates it.
     fn save_export(&mut self, context: &Context) {
+        if self.windows.exporter.request().kind == Kind::Formula {
+            return self.begin_formula();
+        }
         let Some(request) = self.windows.exporter.file_request() else { return self.begin_job(context) };
         if !scene::is_complete(&self.model) {
             return; // the picture does not show yet what would be written
@@ -73,9 +85,27 @@ impl RiemapApp {
         context.request_repaint();
     }
 
+    fn begin_formula(&mut self) {
+        let request = self.windows.exporter.request();
+        match self.model.formula_task(request.formula, request.digits()) {
+            Ok(task) => {
+                self.windows.exporter.begin_formula(task.clone());
+                self.workers.formula_runner.begin(Study::Formula(Box::new(task)));
+            }
+            Err(reason) => self.windows.exporter.tell(Some(reason)),
+        }
+    }
+
+    /// Takes a finding about a formula, and saves the file when it is complete.
+    pub(in crate::app) fn take_formula(&mut self, task: &FormulaTask, finding: Finding) {
+        if let Some(file) = self.windows.exporter.accept_formula(task, finding) {
+            platform::save_file(&file.name, file.bytes, self.workers.mailbox.clone());
+        }
+    }
+
     /// Continues the export job, and saves the file when it is complete.
     pub(in crate::app) fn work_on_export(&mut self, context: &Context) {
-        if !self.windows.exporter.is_busy() {
+        if !self.windows.exporter.is_drawing() {
             return;
         }
         context.request_repaint();

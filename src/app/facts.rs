@@ -2,7 +2,7 @@
 
 use super::{RiemapApp, editing};
 use crate::app::overlays;
-use crate::app::status::stats::{HandlePositions, PlotStats, ScreenStats, Stats, WindowStats};
+use crate::app::status::stats::{FormulaStats, HandlePositions, PlotStats, ScreenStats, Stats, WindowStats};
 use crate::app::viewport::gpu::Gpu;
 use crate::app::windows::Windows;
 use crate::conformal::{Extension, PerSide, Side};
@@ -38,6 +38,10 @@ impl RiemapApp {
         WindowStats {
             export: exporter.places().cloned(),
             export_count: exporter.count(),
+            formula: FormulaStats {
+                progress: exporter.formula_progress(),
+                reached: exporter.formula_notes().iter().map(|(note, _)| note.english()).collect(),
+            },
             close: explore.close().map(|(name, place)| (name, self.css_pixels(place))).into_iter().collect(),
         }
     }

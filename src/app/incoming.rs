@@ -38,7 +38,7 @@ impl RiemapApp {
                     self.model.worker_died(side, generation, &reason);
                     self.take_arrived();
                 }
-                Event::Found { study, finding } => self.take_finding(study.as_ref(), finding),
+                Event::Found { study, finding } => self.take_finding(&study, finding),
                 Event::File { purpose, name, bytes } => self.open_file(purpose, &name, bytes),
                 Event::Link(address) => {
                     if self.may(Touched::EVERYTHING) {
@@ -55,18 +55,16 @@ impl RiemapApp {
         }
     }
 
-    /// Takes the finding of a study; without a study, the worker of one has died, and either may be meant.
-    fn take_finding(&mut self, study: Option<&Study>, finding: Finding) {
-        let is_of_invariants = matches!(study, Some(Study::Invariants(_)));
-        if is_of_invariants || study.is_none() {
-            self.model.accept_invariants(match &finding {
-                Finding::Invariants(found) => Ok((**found).clone()),
-                Finding::Failed(reason) => Err(reason.clone()),
+    /// Takes the finding of a study.
+    fn take_finding(&mut self, study: &Study, finding: Finding) {
+        match study {
+            Study::Invariants(_) => self.model.accept_invariants(match finding {
+                Finding::Invariants(found) => Ok(*found),
+                Finding::Failed(reason) => Err(reason),
                 _ => Err(key::another_answer().into()),
-            });
-        }
-        if !is_of_invariants {
-            self.windows.reports.accept(study, finding);
+            }),
+            Study::Formula(task) => self.take_formula(task, finding),
+            _ => self.windows.reports.accept(study, finding),
         }
     }
 

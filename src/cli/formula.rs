@@ -88,16 +88,14 @@ fn map(arguments: &FormulaArguments, progress: &Progress) -> Result<ConformalMap
 
 /// Says on stderr which function has fewer digits than were asked for.
 fn warn(formula: &Formula, digits: u32) {
-    let errors = &formula.boundary_error;
-    for (name, fit, boundary_error) in
-        [("f", &formula.forward, errors.source), ("the inverse of f", &formula.inverse, errors.target)]
-    {
-        if fit.digits() < digits {
+    let reached = formula.reached(digits);
+    for (name, reached) in [("f", reached.source), ("the inverse of f", reached.target)] {
+        if reached.digits < digits {
             let precision = if formula.is_single { " in single precision" } else { "" };
-            eprintln!("riemap: {name}{precision} reaches {} of {digits} digits", fit.digits());
+            eprintln!("riemap: {name}{precision} reaches {} of {digits} digits", reached.digits);
         }
-        if boundary_error > fit.error().max(fit.extent() * 10f64.powi(-(digits as i32))) {
-            eprintln!("riemap: the boundary values of {name} may be off by {boundary_error:.1e}");
+        if !reached.is_boundary_exact {
+            eprintln!("riemap: the boundary values of {name} may be off by {:.1e}", reached.boundary_error);
         }
     }
 }

@@ -11,6 +11,7 @@
 //! | a point that moves along a circle | an outline on its side | refused |
 //! | reshaping, resolution of an outline | an outline on its side | not offered |
 //! | resolution of a surface | a surface on its side | not offered |
+//! | map as a formula | two outlines | refused with a reason |
 //! | texture coordinates in files | one surface | not offered |
 //!
 //! Bars, panels, overlays, plots, editor, windows and the texts for screen readers take their content from it.

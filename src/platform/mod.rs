@@ -69,10 +69,10 @@ pub enum Event {
         /// The reason, as far as it is known.
         reason: Message,
     },
-    /// A row of a study is done.
+    /// A study has a result, or goes on.
     Found {
-        /// The study; `None` means the one that is running.
-        study: Option<Study>,
+        /// The study.
+        study: Study,
         /// The result.
         finding: Finding,
     },

@@ -1,16 +1,18 @@
 //! The desktop: a window, a thread for each preparation, the system's dialogs.
 //!
 //! A thread cannot be stopped from outside: a superseded preparation runs to its end and its responses are
-//! dropped as stale. A panic in a thread is reported as an event and does not reach the app.
+//! dropped as stale; a formula stops at its next step. A panic in a thread is reported as an event and does not reach the app.
 
 use super::{Event, Failure, Host, Kept, Mailbox, PageEvent};
 use crate::conformal::Side;
 use crate::language::{Message, key};
 use crate::model::files::{FilePurpose, endings};
-use crate::worker::{self, Finding, Request, Study};
+use crate::worker::{self, Advance, Finding, Request, Study};
 use etcetera::BaseStrategy as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
 /// Opens the window and runs the app until the window is closed.
@@ -60,31 +62,51 @@ impl Preparer {
 /// Runs studies on threads.
 pub struct StudyRunner {
     mailbox: Mailbox,
+    /// Whether the last study is cancelled.
+    is_cancelled: Arc<AtomicBool>,
 }
 
 impl StudyRunner {
     /// A runner whose findings are posted to `mailbox`.
     pub fn new(mailbox: Mailbox) -> Self {
-        Self { mailbox }
+        Self { mailbox, is_cancelled: Arc::default() }
     }
 
     /// Starts a thread for `study`.
     pub fn begin(&mut self, study: Study) {
+        self.cancel();
+        self.is_cancelled = Arc::default();
+        let is_cancelled = Arc::clone(&self.is_cancelled);
         let mailbox = self.mailbox.clone();
-        let found = {
+        let post = {
             let study = study.clone();
-            move |finding| Event::Found { study: Some(study.clone()), finding }
+            move |finding| mailbox.post(Event::Found { study: study.clone(), finding })
         };
         let work = {
-            let (mailbox, found) = (mailbox.clone(), found.clone());
+            let post = post.clone();
             move || {
-                let finding = catch_unwind(move || study.run());
-                mailbox.post(found(finding.unwrap_or_else(|_| Finding::Failed(key::internal_error().into()))));
+                let mut advance = Advance::default();
+                let report = &mut |done| {
+                    let goes_on = !is_cancelled.load(Ordering::Relaxed);
+                    if goes_on && advance.selects(done) {
+                        post(Finding::Progress(done));
+                    }
+                    goes_on
+                };
+                let found = catch_unwind(AssertUnwindSafe(|| study.run(report)));
+                if let Some(finding) = found.unwrap_or_else(|_| Some(Finding::Failed(key::internal_error().into()))) {
+                    post(finding);
+                }
             }
         };
         if let Err(error) = thread::Builder::new().name(String::from("study")).spawn(work) {
-            mailbox.post(found(Finding::Failed(error.to_string().into())));
+            post(Finding::Failed(error.to_string().into()));
         }
+    }
+
+    /// Cancels the last study. One that cannot be stopped still posts its finding.
+    pub fn cancel(&mut self) {
+        self.is_cancelled.store(true, Ordering::Relaxed);
     }
 }
 

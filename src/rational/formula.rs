@@ -3,16 +3,16 @@
 use super::fit::{Cancelled, Fit, Goal, Precision};
 use super::fitting::larger;
 use super::matched::MatchedBoundary;
-use crate::conformal::{ConformalMap, PerSide, Side};
+use crate::conformal::{ConformalMap, PerSide, Side, Unsharpened};
 use crate::geometry::{Curve, DVec2};
 use num_complex::Complex64;
 
 /// The largest degree: blob → disk needs 127 for twelve digits. A step then takes 20 ms.
-const MAX_DEGREE: usize = 200;
+pub const MAX_DEGREE: usize = 200;
 /// The least and the largest number of digits that can be asked for: the boundary map has 13 to 15.
 pub const DIGITS: std::ops::RangeInclusive<u32> = 1..=13;
-/// The largest number of digits in single precision, whose roundings add up to 1e-6.
-const MOST_SINGLE_DIGITS: u32 = 5;
+/// The same in single precision, whose roundings add up to 1e-6.
+pub const SINGLE_DIGITS: std::ops::RangeInclusive<u32> = 1..=5;
 /// Points inside that are mapped there and back, at most.
 const INSIDE: usize = 1000;
 
@@ -33,6 +33,24 @@ pub struct Formula {
     pub is_single: bool,
 }
 
+/// What one function of a formula reaches.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
+pub struct Reached {
+    /// Its degree.
+    pub degree: usize,
+    /// The number of its poles in the finite plane, none of which lies inside.
+    pub poles: usize,
+    /// The number of digits; a function without a digit is left out of files.
+    pub digits: u32,
+    /// The largest error measured on the boundary.
+    pub error: f64,
+    /// An estimate of the largest error of the boundary values.
+    pub boundary_error: f64,
+    /// Whether that estimate is within the measured error or the digits that were asked for.
+    pub is_boundary_exact: bool,
+}
+
 /// Why there is no formula.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -43,13 +61,20 @@ pub enum FormulaError {
         /// Which one.
         side: Side,
     },
-    /// The side's harmonic measure is from finite elements, which have 2 to 3 digits.
+    /// The boundary integral was requested for the side, but its harmonic measure is from finite elements, which have 2
+    /// to 3 digits.
     #[error("the {side} has no exact boundary values: {reason}")]
     FiniteElements {
         /// Which one.
         side: Side,
         /// Why the boundary integral is not used.
-        reason: String,
+        reason: Box<Unsharpened>,
+    },
+    /// The side was prepared for finite elements, or its map is not computed yet.
+    #[error("the {side} has no exact boundary values: the boundary integral was not computed")]
+    NoIntegral {
+        /// Which one.
+        side: Side,
     },
     /// Neither the map nor its inverse has even one digit.
     #[error(
@@ -78,12 +103,26 @@ impl Formula {
 
     /// The same in single precision, with at most 5 digits.
     pub fn single(map: &ConformalMap, digits: u32, report: &mut dyn FnMut(f64) -> bool) -> Result<Self, FormulaError> {
-        Self::to(map, digits.min(MOST_SINGLE_DIGITS), Precision::Single, report)
+        Self::to(map, digits.min(*SINGLE_DIGITS.end()), Precision::Single, report)
     }
 
     /// The digits that it was made for, if so many were asked for.
     pub fn digits_at_most(&self, digits: u32) -> u32 {
-        if self.is_single { digits.min(MOST_SINGLE_DIGITS) } else { digits }
+        if self.is_single { digits.min(*SINGLE_DIGITS.end()) } else { digits }
+    }
+
+    /// What f (source) and its inverse (target) reach, if so many digits were asked for.
+    pub fn reached(&self, digits: u32) -> PerSide<Reached> {
+        let reached = |fit: &Fit, boundary_error: f64| Reached {
+            degree: fit.function().degree(),
+            poles: fit.poles().len(),
+            digits: fit.digits(),
+            error: fit.error(),
+            boundary_error,
+            is_boundary_exact: boundary_error <= fit.error().max(fit.extent() * 10f64.powi(-(digits as i32))),
+        };
+        let errors = &self.boundary_error;
+        PerSide::new(reached(&self.forward, errors.source), reached(&self.inverse, errors.target))
     }
 
     fn to(
@@ -119,8 +158,10 @@ fn check(map: &ConformalMap, side: Side) -> Result<(), FormulaError> {
     if prepared.curve_boundary().is_some() {
         return Ok(());
     }
-    let reason = prepared.unsharpened().map_or("finite elements were asked for".to_owned(), ToString::to_string);
-    Err(FormulaError::FiniteElements { side, reason })
+    Err(match prepared.unsharpened() {
+        Some(reason) => FormulaError::FiniteElements { side, reason: Box::new(reason.clone()) },
+        None => FormulaError::NoIntegral { side },
+    })
 }
 
 /// The map of one side's curve, and the error of its values.
@@ -130,9 +171,8 @@ fn fitted(
     goal: Goal,
     report: &mut dyn FnMut(f64) -> bool,
 ) -> Result<(Fit, f64), FormulaError> {
-    let missing = || FormulaError::FiniteElements { side, reason: "the map is not computed yet".to_owned() };
     let curves = map.curve_map(side).zip(map.curve_map(side.other()));
-    let (curve_map, inverse) = curves.ok_or_else(missing)?;
+    let (curve_map, inverse) = curves.ok_or(FormulaError::NoIntegral { side })?;
     let curve = curve_map.from_curve();
     let boundary = MatchedBoundary::new(curve_map, inverse);
     let fit = Fit::new(&boundary, &|z| contains(curve, z), goal, report)?;

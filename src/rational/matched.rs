@@ -8,7 +8,7 @@
 
 use super::samples::Boundary;
 use crate::conformal::CurveMap;
-use crate::geometry::{Curve, CurvePoint, DVec2, Junction};
+use crate::geometry::{Curve, CurvePoint, DVec2, Junction, sort_by_number};
 use num_complex::Complex64;
 
 /// The share of the estimated error within which a junction and the preimage of a junction are one point: the estimate
@@ -184,7 +184,9 @@ fn breaks(map: &CurveMap<'_>, inverse: &CurveMap<'_>) -> Vec<Break> {
         Break { order, from, onto, is_of_from: false, is_of_onto: true, is_singular }
     });
     let mut breaks: Vec<Break> = of_from.chain(of_onto).collect();
-    breaks.sort_by(|a, b| a.order.0.cmp(&b.order.0).then(a.order.1.total_cmp(&b.order.1)));
+    // equal numbers keep their order
+    sort_by_number(&mut breaks, |at| at.order.1);
+    sort_by_number(&mut breaks, |at| at.order.0.into());
     let mut merged: Vec<Break> = Vec::new();
     for next in breaks {
         match merged.last_mut() {

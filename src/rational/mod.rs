@@ -20,6 +20,6 @@ mod samples;
 mod tests;
 
 pub use fit::{Cancelled, Fit, Goal, Precision};
-pub use formula::{DIGITS, Formula, FormulaError};
+pub use formula::{DIGITS, Formula, FormulaError, MAX_DEGREE, Reached, SINGLE_DIGITS};
 pub use function::Rational;
 pub use samples::Boundary;

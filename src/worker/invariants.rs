@@ -1,5 +1,6 @@
-//! Conformal invariants of one outline, as a study: the request and its result, which cross to the worker as text.
+//! Conformal invariants of one outline, as a study: the request and its result, which cross to the worker as bytes.
 
+use super::packed::as_json;
 use crate::boundary_integral::{self, Estimate, InvariantsRequest};
 use crate::conformal::Side;
 use crate::geometry::{DVec2, SimplePolygon};
@@ -26,7 +27,7 @@ pub struct InvariantsTask {
     pub marks: Option<[f64; 4]>,
 }
 
-/// An outline as text.
+/// An outline as it travels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum StudiedOutline {
@@ -37,6 +38,7 @@ pub enum StudiedOutline {
         /// The vertices of its polygon.
         points: Vec<DVec2>,
         /// How its curve is found.
+        #[serde(with = "as_json")]
         form: CurveForm,
     },
 }
@@ -136,7 +138,8 @@ impl InvariantsTask {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::outline::Preset;
+    use crate::outline::{Interpretation, Preset};
+    use crate::worker::{packed, unpacked};
 
     fn task(outline: StudiedOutline) -> InvariantsTask {
         InvariantsTask { side: Side::Source, outline, point: DVec2::ZERO, second_point: None, marks: None }
@@ -147,8 +150,7 @@ mod tests {
         let marks = Some([0.0, 0.175, 0.35, 0.625]);
         let second_point = Some(DVec2::new(0.5, 0.0));
         let disk = InvariantsTask { second_point, marks, ..task(StudiedOutline::Preset(Preset::Disk)) };
-        let text = serde_json::to_string(&disk).unwrap();
-        assert_eq!(serde_json::from_str::<InvariantsTask>(&text).unwrap(), disk);
+        assert_eq!(unpacked::<InvariantsTask>(&packed(&disk)).unwrap(), disk);
         let found = disk.run().unwrap();
         let expected = [
             (found.conformal_radius, 1.0),
@@ -167,6 +169,11 @@ mod tests {
     #[test]
     fn a_loaded_square_has_four_sides_and_the_radius_of_the_table() {
         let points = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)].map(DVec2::from).to_vec();
+        let switched = CurveForm { interpretation: Interpretation::Polygon, switched: vec![1], ..CurveForm::default() };
+        for form in [CurveForm::default(), switched] {
+            let square = task(StudiedOutline::Points { points: points.clone(), form });
+            assert_eq!(unpacked::<InvariantsTask>(&packed(&square)).unwrap(), square);
+        }
         let found = task(StudiedOutline::Points { points, form: CurveForm::default() }).run().unwrap();
         assert_eq!(found.measures.len(), 4);
         assert!((found.conformal_radius.value - 0.762_759_763_501_813_2).abs() < 1e-13, "{found:?}");

@@ -4,16 +4,20 @@
 //! message carries the generation of its request; the receiver drops stale ones.
 
 mod file;
+mod formula;
 mod invariants;
+mod packed;
 mod rehearsal;
 mod study;
 mod taken;
 mod transfer;
 
 pub use file::{FlatOutline, FlatSession, NamedFile, Unread};
+pub use formula::{FormulaTask, FoundFormula};
 pub use invariants::{FoundInvariants, InvariantsTask, Number, StudiedOutline};
+pub use packed::{packed, unpacked};
 pub use rehearsal::rehearsal;
-pub use study::{Finding, Study};
+pub use study::{Advance, Finding, Study};
 pub use taken::{Corner, Taken};
 pub use transfer::Transfer;
 

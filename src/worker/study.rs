@@ -1,13 +1,14 @@
 //! Longer computations besides the map: rows of the paper's tables, of its convergence figure, and of the plot of
-//! accuracy.
+//! accuracy; the invariants of an outline; the formula of a map.
 //!
 //! A study is requested row by row, so that finished rows can be shown and the others canceled.
 
+use super::formula::{FormulaTask, FoundFormula};
 use super::invariants::{FoundInvariants, InvariantsTask};
 use crate::figures::{BenchRow, ConvergenceRow, ConvergenceStudy, Detail, FigureError, LadderRow, Measurement, Rung};
 use crate::language::{Message, key};
 
-/// One row of a study, or the invariants of an outline.
+/// One row of a study, the invariants of an outline, or the formula of a map.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Study {
@@ -30,6 +31,8 @@ pub enum Study {
     },
     /// The conformal invariants of an outline.
     Invariants(Box<InvariantsTask>),
+    /// The file of a map as a formula.
+    Formula(Box<FormulaTask>),
 }
 
 /// The result of a study.
@@ -41,20 +44,75 @@ pub enum Finding {
     /// The four rows of one resolution.
     Convergence(Vec<ConvergenceRow>),
     /// A row of the plot of accuracy.
-    Ladder(Box<LadderRow>),
+    Ladder(#[serde(with = "ladder_row")] Box<LadderRow>),
     /// The conformal invariants of an outline.
     Invariants(Box<FoundInvariants>),
+    /// The file of a map as a formula.
+    Formula(Box<FoundFormula>),
+    /// The share that is done; more findings of the same study follow.
+    Progress(f64),
     /// Why there is no result.
     Failed(Message),
 }
 
-impl Study {
-    /// Runs the study.
-    pub fn run(&self) -> Finding {
-        if let Self::Invariants(task) = self {
-            return task.run().map_or_else(Finding::Failed, |found| Finding::Invariants(Box::new(found)));
+/// A row of the plot of accuracy as a list: as JSON its parts are flattened.
+mod ladder_row {
+    use crate::figures::LadderRow;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    #[derive(Serialize, Deserialize)]
+    struct Parts(crate::figures::Rung, [usize; 2], crate::figures::Errors, Option<crate::figures::Errors>, [f64; 2]);
+
+    pub fn serialize<S: Serializer>(row: &LadderRow, serializer: S) -> Result<S::Ok, S::Error> {
+        let durations = [row.prepare_ms, row.point_ms];
+        Parts(row.rung, [row.m, row.unknowns], row.omega, row.image, durations).serialize(serializer)
+    }
+
+    pub fn deserialize<'a, D: Deserializer<'a>>(deserializer: D) -> Result<Box<LadderRow>, D::Error> {
+        let Parts(rung, [m, unknowns], omega, image, [prepare_ms, point_ms]) = Parts::deserialize(deserializer)?;
+        Ok(Box::new(LadderRow { rung, m, unknowns, omega, image, prepare_ms, point_ms }))
+    }
+}
+
+impl Finding {
+    /// Whether more findings of the same study follow.
+    pub fn goes_on(&self) -> bool {
+        matches!(self, Self::Progress(_))
+    }
+}
+
+/// The least difference of two shares that are sent.
+const LEAST_ADVANCE: f64 = 0.01;
+
+/// Selects the shares of progress that are worth sending: ascending, and at most a hundred.
+#[derive(Debug, Default)]
+pub struct Advance(f64);
+
+impl Advance {
+    /// Whether the share is larger than the last selected one by a hundredth.
+    pub fn selects(&mut self, done: f64) -> bool {
+        let selects = done >= self.0 + LEAST_ADVANCE;
+        if selects {
+            self.0 = done;
         }
-        self.try_run().unwrap_or_else(|error| Finding::Failed(Message::from(&error)))
+        selects
+    }
+}
+
+impl Study {
+    /// Runs the study. A formula calls `report` with the share that is done, which may also fall, and ends if that returns
+    /// false; then there is no finding.
+    pub fn run(&self, report: &mut dyn FnMut(f64) -> bool) -> Option<Finding> {
+        Some(match self {
+            Self::Invariants(task) => {
+                task.run().map_or_else(Finding::Failed, |found| Finding::Invariants(Box::new(found)))
+            }
+            Self::Formula(task) => match task.run(report) {
+                Ok(found) => Finding::Formula(Box::new(found?)),
+                Err(reason) => Finding::Failed(reason),
+            },
+            _ => self.try_run().unwrap_or_else(|error| Finding::Failed(Message::from(&error))),
+        })
     }
 
     fn try_run(&self) -> Result<Finding, FigureError> {
@@ -63,7 +121,7 @@ impl Study {
                 Some(measurement) => Finding::Bench(measurement),
                 None => Finding::Failed(key::no_such_row().into()),
             },
-            Self::Invariants(_) => Finding::Failed(key::no_such_row().into()),
+            Self::Invariants(_) | Self::Formula(_) => Finding::Failed(key::no_such_row().into()),
             Self::Ladder { rung } => Finding::Ladder(Box::new(rung.measure(1)?)),
             Self::Convergence { m } => Finding::Convergence(ConvergenceStudy::new(Detail::Paper)?.rows(m)?.to_vec()),
         })
@@ -75,31 +133,43 @@ impl Study {
 mod tests {
     use super::*;
     use crate::figures::{BenchSetting, LadderMethod, LadderShape};
+    use crate::worker::{packed, unpacked};
 
-    /// Findings are sent to another thread as text.
+    fn ran(study: &Study) -> Finding {
+        study.run(&mut |_| true).unwrap()
+    }
+
     #[test]
-    fn findings_survive_as_text() {
+    fn progress_is_sent_in_hundredths_and_only_upwards() {
+        let mut advance = Advance::default();
+        let sent = (0..10_000).map(|k| f64::from(k % 5_000) / 5_000.0).filter(|&done| advance.selects(done)).count();
+        assert!((90..=100).contains(&sent), "{sent}");
+    }
+
+    /// Findings are sent to another thread as bytes.
+    #[test]
+    fn findings_survive_as_bytes() {
         let rows = [
             BenchRow::Preparation { index: 0, setting: BenchSetting::Default },
             BenchRow::Frame { index: 0, setting: BenchSetting::Default },
         ];
         for row in rows {
-            let finding = Study::Bench { row, runs: 1 }.run();
+            let finding = ran(&Study::Bench { row, runs: 1 });
             assert!(matches!(finding, Finding::Bench(_)), "{finding:?}");
-            let back: Finding = serde_json::from_str(&serde_json::to_string(&finding).unwrap()).unwrap();
-            assert_eq!(back, finding);
+            assert_eq!(unpacked::<Finding>(&packed(&finding)).unwrap(), finding);
         }
         let rung = Rung { shape: LadderShape::Disk, method: LadderMethod::AdjointDefault, resolution: 100 };
-        let finding = Study::Ladder { rung }.run();
+        let finding = ran(&Study::Ladder { rung });
         assert!(matches!(&finding, Finding::Ladder(row) if row.rung == rung), "{finding:?}");
-        assert_eq!(serde_json::from_str::<Finding>(&serde_json::to_string(&finding).unwrap()).unwrap(), finding);
+        assert_eq!(unpacked::<Finding>(&packed(&finding)).unwrap(), finding);
         let psi = Finding::Bench(Measurement::PsiTable { psi_s: None });
-        assert_eq!(serde_json::from_str::<Finding>(&serde_json::to_string(&psi).unwrap()).unwrap(), psi);
+        assert_eq!(unpacked::<Finding>(&packed(&psi)).unwrap(), psi);
+        assert_eq!(unpacked::<Finding>(b"no finding"), None);
     }
 
     #[test]
     fn a_row_that_is_not_there_is_refused() {
         let row = BenchRow::Frame { index: 99, setting: BenchSetting::Default };
-        assert!(matches!(Study::Bench { row, runs: 1 }.run(), Finding::Failed(_)));
+        assert!(matches!(ran(&Study::Bench { row, runs: 1 }), Finding::Failed(_)));
     }
 }

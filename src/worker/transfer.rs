@@ -1,8 +1,9 @@
-//! The transferable form of a prepared side and of an integral equation: flat arrays, which are moved between workers, and a short text.
+//! The transferable form of a prepared side and of an integral equation: flat arrays, which are moved between workers, and a short record.
 //!
-//! The arrays of a side are those of `PreparedSide::to_buffers`, in its order; the text is the surface's repairs, and whether an
-//! integral equation follows, as JSON.
+//! The arrays of a side are those of `PreparedSide::to_buffers`, in its order; the record is packed: the surface's repairs, and whether
+//! an integral equation follows.
 
+use super::{packed, unpacked};
 use crate::conformal::{BoundaryEquation, FlatBuffers, FlatEquation, NotFlat, PreparedSide};
 use crate::geometry::Curve;
 
@@ -13,8 +14,8 @@ pub struct Transfer {
     pub floats: Vec<Vec<f64>>,
     /// The index arrays.
     pub indices: Vec<Vec<u32>>,
-    /// The small parts with varying structure, as JSON.
-    pub text: String,
+    /// The small parts with varying structure, packed.
+    pub record: Vec<u8>,
 }
 
 impl TryFrom<&PreparedSide> for Transfer {
@@ -22,8 +23,7 @@ impl TryFrom<&PreparedSide> for Transfer {
 
     fn try_from(side: &PreparedSide) -> Result<Self, NotFlat> {
         let FlatBuffers { floats, indices, repairs, expected } = side.to_buffers()?;
-        // Plain data can always be written as JSON.
-        Ok(Self { floats, indices, text: serde_json::to_string(&(repairs, expected)).unwrap_or_default() })
+        Ok(Self { floats, indices, record: packed(&(repairs, expected)) })
     }
 }
 
@@ -31,18 +31,17 @@ impl TryFrom<&PreparedSide> for Transfer {
 impl From<&BoundaryEquation> for Transfer {
     fn from(equation: &BoundaryEquation) -> Self {
         let mut equation = equation.to_flat();
-        // Plain data can always be written as JSON.
-        let text = serde_json::to_string(&equation).unwrap_or_default();
+        let record = packed(&equation);
         let points = std::mem::take(&mut equation.points);
         let floats = std::iter::once(points).chain(equation.integral.floats).collect();
-        Self { floats, indices: vec![equation.integral.rows], text }
+        Self { floats, indices: vec![equation.integral.rows], record }
     }
 }
 
 impl Transfer {
-    /// The integral equation of `curve`; `None` if the arrays and the text are not those of its equation.
+    /// The integral equation of `curve`; `None` if the arrays and the record are not those of its equation.
     pub fn into_equation(self, curve: &Curve) -> Option<BoundaryEquation> {
-        let mut equation: FlatEquation = serde_json::from_str(&self.text).ok()?;
+        let mut equation: FlatEquation = unpacked(&self.record)?;
         let mut floats = self.floats.into_iter();
         equation.points = floats.next()?;
         equation.integral.floats = floats.collect();
@@ -51,9 +50,9 @@ impl Transfer {
         BoundaryEquation::from_flat(curve, equation)
     }
 
-    /// The side; `None` if the arrays and the text are not those of a side.
+    /// The side; `None` if the arrays and the record are not those of a side.
     pub fn into_side(self) -> Option<PreparedSide> {
-        let (repairs, expected) = serde_json::from_str(&self.text).ok()?;
+        let (repairs, expected) = unpacked(&self.record)?;
         PreparedSide::from_buffers(FlatBuffers { floats: self.floats, indices: self.indices, repairs, expected })
     }
 }

@@ -39,6 +39,19 @@ function sizeOf(png) {
   return [content.readUInt32BE(0), content.readUInt32BE(4)];
 }
 
+/** r(z) of a function of a formula's file: Σ wₖ fₖ/(z − zₖ) / Σ wₖ/(z − zₖ). */
+function formulaAt({ support_points: support, values, weights }, [x, y]) {
+  const times = ([a, b], [c, d]) => [a * c - b * d, a * d + b * c];
+  const over = (u, [c, d]) => times(u, [c / (c * c + d * d), -d / (c * c + d * d)]);
+  const sums = [[0, 0], [0, 0]];
+  for (const [k, [a, b]] of support.entries()) {
+    const term = over(weights[k], [x - a, y - b]);
+    const terms = [times(term, values[k]), term];
+    sums.forEach((sum, j) => [0, 1].forEach((axis) => (sum[axis] += terms[j][axis])));
+  }
+  return over(sums[0], sums[1]);
+}
+
 withEachBackend('exports and motion', (bench) => {
   const { backend } = bench;
 
@@ -98,6 +111,49 @@ withEachBackend('exports and motion', (bench) => {
   );
 
   test(
+    'the map is saved as a formula, while another one is given up',
+    bench.withApp(async (app) => {
+      const { source, target } = await app.session();
+      const settings = (side) => ({ ...side.settings, sampling: { adaptive: { target: 200 } } });
+      await app.openSession({
+        source: { ...source, outline: { preset: 'blob' }, settings: settings(source) },
+        target: { ...target, outline: { preset: 'disk' }, settings: settings(target) },
+        direction: 'forward',
+        anchor: [0.2, 0.6],
+      });
+      await app.until('both sides are sharp', (stats) => stats.ready && stats.error_estimate !== null);
+      const [{ bytes: table }, generation] = [await saved(app, 'CSV'), (await app.stats()).generation];
+      await choose(app, 'Formula', 'JSON');
+      await app.type(await placeOf(app, 'Digits'), '12');
+      await choose(app, 'Save');
+      const { formula } = await app.until('it is at work', (stats) => stats.formula.progress > 0);
+      assert.ok(formula.progress < 1 && formula.reached.length === 0);
+      await app.picture(`${backend}-formula-progress`);
+      await choose(app, 'Cancel');
+      await app.until('it is given up', (stats) => stats.formula.progress === null);
+      await app.type(await placeOf(app, 'Digits'), '6');
+      const { name, bytes } = await saved(app);
+      assert.equal(name, 'riemap_formula.json');
+      const file = JSON.parse(bytes.toString());
+      assert.deepEqual([file.source, file.target, file.digits], ['preset:blob', 'preset:disk', 6]);
+      assert.ok(file.digits_reached >= 6 && file.f.poles.length <= file.f.degree, bytes.toString().slice(0, 500));
+      const rows = table.toString().trim().split('\n').slice(1).map((row) => row.split(',').map(Number));
+      const off = rows.map(([, , x, y, u, v]) => {
+        const [image, back] = [formulaAt(file.f, [x, y]), formulaAt(file.inverse, [u, v])];
+        return Math.max(Math.hypot(image[0] - u, image[1] - v) / 1, Math.hypot(back[0] - x, back[1] - y) / 5);
+      });
+      // six digits of the extent, and an image of the table is that of the curve beside the sample
+      assert.ok(rows.length > 100 && Math.max(...off) < 1e-5, `off by ${Math.max(...off)} at ${rows.length} points`);
+      const { formula: { reached } } = await app.until('it says what it reached', (stats) => stats.formula.reached.length > 2);
+      assert.match(reached[1], /^f: degree \d+; poles: \d+, none inside; largest error: .*e-\d+; digits: [6-9]/);
+      await app.saying('state', /inverse of f: degree \d+/);
+      await app.picture(`${backend}-formula`);
+      assert.equal((await saved(app, 'GLSL')).name, 'riemap_formula.glsl');
+      assert.equal((await app.stats()).generation, generation, 'the map on the screen stays');
+    }),
+  );
+
+  test(
     'a surface is saved with its texture coordinates, and as it is seen',
     bench.withApp(async (app) => {
       const shape = { preset: { preset: 'hemisphere', boundary: 80 } };
@@ -127,6 +183,10 @@ withEachBackend('exports and motion', (bench) => {
         await app.picture(`${backend}-export-phone`);
         const { bytes } = await saved(app, '800 × 450');
         assert.deepEqual(sizeOf(bytes), [800, 450]);
+        await choose(app, 'Formula', 'Python');
+        await app.type(await placeOf(app, 'Digits'), '2');
+        assert.match((await saved(app)).bytes.toString(), /^# The conformal map f of "preset:/);
+        await app.picture(`${backend}-formula-phone`);
       },
       { device: 'phone' },
     ),

@@ -335,7 +335,7 @@ fn prepared_surfaces_survive_the_trip_through_flat_arrays() {
             damage(&mut buffers);
             buffers.into_side().is_none()
         };
-        assert!(broken(|b| b.text.clear()), "no repairs");
+        assert!(broken(|b| b.record.clear()), "no repairs");
         assert!(broken(|b| b.indices.truncate(3)), "arrays missing");
         assert!(broken(|b| b.indices[0][0] = 2), "no geometry");
         assert!(broken(|b| b.indices[1][3] = u32::MAX), "a point in no triangle");

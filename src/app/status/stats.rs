@@ -196,8 +196,19 @@ pub struct WindowStats {
     pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
     /// How many pictures of how many are made, while they are.
     pub export_count: Option<[u32; 2]>,
+    /// The progress of a formula, and what the last one reached.
+    pub formula: FormulaStats,
     /// Where the windows that are open are closed, by name.
     pub close: BTreeMap<&'static str, [f32; 2]>,
+}
+
+/// A formula that is computed or was computed.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct FormulaStats {
+    /// The share that is done, while it is computed.
+    pub progress: Option<f64>,
+    /// What the last one reached, in English.
+    pub reached: Vec<String>,
 }
 
 /// What is on the screen now. A page gets one object with the keys of all parts.
@@ -337,7 +348,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 43] = [
+    const KEYS: [&str; 44] = [
         "backend",
         "boundary_checksum",
         "cauchy_green",
@@ -354,6 +365,7 @@ mod tests {
         "export_count",
         "extension_progress",
         "flipped",
+        "formula",
         "frame_ms",
         "generation",
         "handles",

@@ -78,12 +78,12 @@ impl Reports {
         self.running.clone()
     }
 
-    /// Stores the finding of a study; `None` stands for the one in flight. The finding of a stale study is dropped.
-    pub fn accept(&mut self, study: Option<&Study>, finding: Finding) {
+    /// Stores the finding of a study. That of a stale study is dropped.
+    pub fn accept(&mut self, study: &Study, finding: Finding) {
         if std::mem::take(&mut self.is_abandoned) {
             return;
         }
-        let Some(running) = self.running.take_if(|running| study.is_none_or(|study| study == running)) else {
+        let Some(running) = self.running.take_if(|running| study == running) else {
             return;
         };
         match (running, finding) {
@@ -299,6 +299,7 @@ fn milliseconds(ms: f64) -> String {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
 
@@ -306,17 +307,18 @@ mod tests {
     fn rows_come_one_after_the_other_and_stale_ones_are_dropped() {
         let mut reports = Reports::default();
         reports.open(Report::Convergence);
-        let first = reports.take_study();
-        assert!(first.is_some() && reports.take_study().is_none(), "one at a time");
+        let first = reports.take_study().unwrap();
+        assert!(reports.take_study().is_none(), "one at a time");
         reports.open(Report::Bench);
         assert!(reports.take_study().is_none(), "the closed window's study is still in flight");
-        reports.accept(first.as_ref(), Finding::Convergence(Vec::new()));
+        reports.accept(&first, Finding::Convergence(Vec::new()));
         assert!(reports.convergence.is_empty(), "the finding of the closed window is dropped");
-        let second = reports.take_study();
-        reports.accept(second.as_ref(), Finding::Failed("no".into()));
+        let second = reports.take_study().unwrap();
+        reports.accept(&second, Finding::Failed("no".into()));
         assert_eq!(reports.failures.len(), 1);
-        assert!(reports.take_study().is_some());
-        reports.accept(None, Finding::Failed("the worker died".into()));
+        let third = reports.take_study().unwrap();
+        reports.accept(&first, Finding::Failed("stale".into()));
+        reports.accept(&third, Finding::Failed("the worker died".into()));
         assert_eq!(reports.failures.len(), 2);
     }
 }

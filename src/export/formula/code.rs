@@ -12,20 +12,12 @@ const GLSL: &str = include_str!("template.glsl");
 
 /// Python 3, without any package.
 pub fn python(file: &FormulaFile<'_>) -> String {
-    let row = |[z, value, weight]: [Complex64; 3]| {
-        let number = |z: Complex64| format!("complex({:?}, {:?})", z.re, z.im);
-        format!("    ({}, {}, {}),", number(z), number(value), number(weight))
-    };
-    filled(file, PYTHON, "#", row)
+    filled(file, PYTHON, "#", &complex_row)
 }
 
 /// Julia, without any package.
 pub fn julia(file: &FormulaFile<'_>) -> String {
-    let row = |[z, value, weight]: [Complex64; 3]| {
-        let number = |z: Complex64| format!("complex({:?}, {:?})", z.re, z.im);
-        format!("    ({}, {}, {}),", number(z), number(value), number(weight))
-    };
-    filled(file, JULIA, "#", row)
+    filled(file, JULIA, "#", &complex_row)
 }
 
 /// JavaScript: a script, and a module of Node.
@@ -34,7 +26,13 @@ pub fn javascript(file: &FormulaFile<'_>) -> String {
         let numbers = [z.re, z.im, value.re, value.im, weight.re, weight.im];
         format!("  [{}],", numbers.map(|number| format!("{number:?}")).join(", "))
     };
-    filled(file, JAVASCRIPT, "//", row)
+    filled(file, JAVASCRIPT, "//", &row)
+}
+
+/// A support point, its value and its weight in Python and Julia.
+fn complex_row(row: [Complex64; 3]) -> String {
+    let number = |z: Complex64| format!("complex({:?}, {:?})", z.re, z.im);
+    format!("    ({}),", row.map(number).join(", "))
 }
 
 /// GLSL 3.30 or ES 3.00, in single precision.
@@ -69,12 +67,12 @@ pub fn glsl(file: &FormulaFile<'_>) -> String {
 }
 
 /// A template with its comments and tables.
-fn filled(file: &FormulaFile<'_>, template: &str, comment: &str, row: impl Fn([Complex64; 3]) -> String) -> String {
+fn filled(file: &FormulaFile<'_>, template: &str, comment: &str, row: &dyn Fn([Complex64; 3]) -> String) -> String {
     let mut text = comments(file, comment);
     let mut template = template.to_owned();
     for (name, _, fit) in file.functions() {
         template = match fit {
-            Some(fit) => template.replace(&format!("@{name}@"), &rows(fit, &row)),
+            Some(fit) => template.replace(&format!("@{name}@"), &rows(fit, row)),
             None => without(&template, name),
         };
     }
@@ -100,7 +98,7 @@ fn unmarked(template: &str) -> String {
     template.lines().filter(is_text).fold(String::new(), |text, line| text + line + "\n")
 }
 
-fn rows(fit: &Fit, row: impl Fn([Complex64; 3]) -> String) -> String {
+fn rows(fit: &Fit, row: &dyn Fn([Complex64; 3]) -> String) -> String {
     let function = fit.function();
     let parts = function.support().iter().zip(function.values()).zip(function.weights());
     let lines: Vec<String> = parts.map(|((&z, &value), &weight)| row([z, value, weight])).collect();

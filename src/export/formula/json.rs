@@ -1,60 +1,85 @@
-//! A formula as JSON.
+//! A formula as JSON. Numbers have as many digits as determine them; one that is not finite is null.
 
 use super::FormulaFile;
-use crate::conformal::PerSide;
 use crate::rational::Fit;
 use num_complex::Complex64;
-use serde_json::{Map, Value, json};
 
 /// All numbers.
 pub fn file(file: &FormulaFile<'_>) -> String {
-    document(file, |fit| {
-        let function = fit.function();
-        let mut object = summary_of(fit);
-        object.insert("support_points".to_owned(), points(function.support()));
-        object.insert("values".to_owned(), points(function.values()));
-        object.insert("weights".to_owned(), points(function.weights()));
-        object.insert("poles".to_owned(), points(fit.poles()));
-        object
-    })
+    document(file, true)
 }
 
 /// Degrees, errors and digits.
 pub fn summary(file: &FormulaFile<'_>) -> String {
-    document(file, summary_of)
+    document(file, false)
 }
 
-fn document(file: &FormulaFile<'_>, object: impl Fn(&Fit) -> Map<String, Value>) -> String {
+fn document(file: &FormulaFile<'_>, has_numbers: bool) -> String {
     let formula = file.formula;
-    // null for a function without a digit
-    let function = |fit: &Fit| if fit.digits() > 0 { Value::Object(object(fit)) } else { Value::Null };
-    let value = json!({
-        "riemap": env!("CARGO_PKG_VERSION"),
-        "source": file.names.source,
-        "target": file.names.target,
-        "digits": file.digits,
-        "digits_reached": formula.forward.digits().min(formula.inverse.digits()),
-        "there_and_back": sides(&formula.there_and_back),
-        "boundary_error": sides(&formula.boundary_error),
-        "f": function(&formula.forward),
-        "inverse": function(&formula.inverse),
-    });
-    format!("{value:#}\n")
+    let [f, inverse] = [&formula.forward, &formula.inverse].map(|fit| function(fit, has_numbers));
+    let (back, error) = (formula.there_and_back, formula.boundary_error);
+    let members = [
+        ("riemap", string(env!("CARGO_PKG_VERSION"))),
+        ("source", string(&file.names.source)),
+        ("target", string(&file.names.target)),
+        ("digits", file.digits.to_string()),
+        ("digits_reached", formula.forward.digits().min(formula.inverse.digits()).to_string()),
+        ("there_and_back", sides([back.source, back.target])),
+        ("boundary_error", sides([Some(error.source), Some(error.target)])),
+        ("f", f),
+        ("inverse", inverse),
+    ];
+    object("  ", &members) + "\n"
 }
 
-fn sides<T: serde::Serialize>(values: &PerSide<T>) -> Value {
-    json!({ "source": values.source, "target": values.target })
+/// One function; null without a digit.
+fn function(fit: &Fit, has_numbers: bool) -> String {
+    if fit.digits() == 0 {
+        return null();
+    }
+    let mut members = vec![
+        ("degree", fit.function().degree().to_string()),
+        ("error", number(fit.error())),
+        ("extent", number(fit.extent())),
+        ("digits_reached", fit.digits().to_string()),
+    ];
+    if has_numbers {
+        let function = fit.function();
+        members.extend([
+            ("support_points", points(function.support())),
+            ("values", points(function.values())),
+            ("weights", points(function.weights())),
+            ("poles", points(fit.poles())),
+        ]);
+    }
+    object("    ", &members)
 }
 
-fn summary_of(fit: &Fit) -> Map<String, Value> {
-    let mut object = Map::new();
-    object.insert("degree".to_owned(), fit.function().degree().into());
-    object.insert("error".to_owned(), fit.error().into());
-    object.insert("extent".to_owned(), fit.extent().into());
-    object.insert("digits_reached".to_owned(), fit.digits().into());
-    object
+/// An object with its members on lines of their own, behind `indent`.
+fn object(indent: &str, members: &[(&str, String)]) -> String {
+    let lines: Vec<String> = members.iter().map(|(name, value)| format!("{indent}\"{name}\": {value}")).collect();
+    format!("{{\n{}\n{}}}", lines.join(",\n"), &indent[2..])
 }
 
-fn points(points: &[Complex64]) -> Value {
-    points.iter().map(|z| json!([z.re, z.im])).collect()
+fn sides([source, target]: [Option<f64>; 2]) -> String {
+    let [source, target] = [source, target].map(|value| value.map_or_else(null, number));
+    format!("{{ \"source\": {source}, \"target\": {target} }}")
+}
+
+fn points(points: &[Complex64]) -> String {
+    let rows: Vec<String> = points.iter().map(|z| format!("      [{}, {}]", number(z.re), number(z.im))).collect();
+    format!("[\n{}\n    ]", rows.join(",\n"))
+}
+
+fn number(value: f64) -> String {
+    if value.is_finite() { format!("{value:?}") } else { null() }
+}
+
+fn null() -> String {
+    String::from("null")
+}
+
+fn string(text: &str) -> String {
+    // text can always be written
+    serde_json::to_string(text).unwrap_or_default()
 }

@@ -7,11 +7,11 @@ mod code;
 mod json;
 
 use crate::conformal::{PerSide, Side};
-use crate::rational::{Fit, Formula};
+use crate::rational::{DIGITS, Fit, Formula, SINGLE_DIGITS};
 use std::fmt::Write as _;
 
 /// The formats of a formula.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[allow(missing_docs, reason = "the variants are the languages")]
 pub enum FormulaFormat {
     Json,
@@ -25,6 +25,17 @@ impl FormulaFormat {
     /// All formats.
     pub const ALL: [Self; 5] = [Self::Json, Self::Python, Self::Julia, Self::JavaScript, Self::Glsl];
 
+    /// Its name.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Json => "JSON",
+            Self::Python => "Python",
+            Self::Julia => "Julia",
+            Self::JavaScript => "JavaScript",
+            Self::Glsl => "GLSL",
+        }
+    }
+
     /// Its file extension.
     pub fn extension(self) -> &'static str {
         match self {
@@ -34,6 +45,16 @@ impl FormulaFormat {
             Self::JavaScript => "js",
             Self::Glsl => "glsl",
         }
+    }
+
+    /// Whether it is evaluated in single precision.
+    pub fn is_single(self) -> bool {
+        self == Self::Glsl
+    }
+
+    /// The numbers of digits that can be asked for.
+    pub fn digits(self) -> std::ops::RangeInclusive<u32> {
+        if self.is_single() { SINGLE_DIGITS } else { DIGITS }
     }
 
     /// The format of an extension in lower case.

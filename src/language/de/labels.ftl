@@ -720,6 +720,19 @@ csv = CSV
 obj = OBJ
 ply = PLY
 glb = GLB
+formula = Formel
+formula_tooltip = Die Abbildung und ihre Umkehrung als rationale Funktionen, angepasst an die Randwerte der Integralgleichung: Zahlen, oder Code, der so läuft, wie er ist
+
+## formula
+
+format = Format
+digits = Stellen
+digits_tooltip = Bezogen auf die halbe größere Seite des Rechtecks um die Werte. GLSL hat höchstens 5: einfache Genauigkeit
+inverse_of_f = Umkehrung von f
+formula_function = { $name }: Grad { $degree }; Pole: { $poles }, keiner innen; größter Fehler: { $error }; Stellen: { $digits }
+formula_reaches = { $name } erreicht { $digits } von { $asked } Stellen
+formula_left_out = { $name } fehlt: Es fand sich keine rationale Funktion, die auch nur eine Stelle hat
+formula_boundary_values = Die Randwerte von { $name } können um { $error } falsch sein
 
 ## words
 

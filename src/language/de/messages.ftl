@@ -376,6 +376,14 @@ integral_not_resolved = der Rand lässt sich nicht auflösen: Teile berühren si
 integral_singular = die Gleichungen des Randes haben keine Lösung: Kreuzt der Rand sich selbst?
 integral_not_inside = ({ $x }, { $y }) liegt nicht im Umriss
 
+## rational
+
+formula_of_surface = eine Fläche ({ $side }) hat keine Formel: Sie verbindet zwei Umrisse
+formula_finite_elements = keine genauen Randwerte ({ $side }): { $reason }
+formula_no_integral = keine genauen Randwerte ({ $side }): Das Randintegral wurde nicht berechnet
+formula_no_digit = keine rationale Funktion bis zum Grad { $degree } hat auch nur eine Stelle: Der Fehler der Abbildung ist { $forward }, der ihrer Umkehrung { $inverse }
+formula_cancelled = abgebrochen
+
 ## zipper
 
 zipper_too_few_points = mindestens 3 Randpunkte sind nötig, nicht { $count }

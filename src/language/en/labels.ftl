@@ -720,6 +720,19 @@ csv = CSV
 obj = OBJ
 ply = PLY
 glb = GLB
+formula = Formula
+formula_tooltip = The map and its inverse as rational functions, fitted to the boundary values of the integral equation: numbers, or code that runs as it is
+
+## formula
+
+format = Format
+digits = Digits
+digits_tooltip = Of half the larger side of the box around the values. GLSL has at most 5: single precision
+inverse_of_f = inverse of f
+formula_function = { $name }: degree { $degree }; poles: { $poles }, none inside; largest error: { $error }; digits: { $digits }
+formula_reaches = { $name } reaches { $digits } of { $asked } digits
+formula_left_out = { $name } is left out: no rational function was found that has one digit
+formula_boundary_values = The boundary values of { $name } may be off by { $error }
 
 ## words
 

@@ -376,6 +376,14 @@ integral_not_resolved = the boundary cannot be resolved: parts of it touch, or a
 integral_singular = the equations of the boundary have no solution: does the boundary cross itself?
 integral_not_inside = ({ $x }, { $y }) is not inside the outline
 
+## rational
+
+formula_of_surface = the { $side } is a surface; a formula is for two outlines
+formula_finite_elements = the { $side } has no exact boundary values: { $reason }
+formula_no_integral = the { $side } has no exact boundary values: the boundary integral was not computed
+formula_no_digit = no rational function of degree up to { $degree } has one digit: the map's error is { $forward }, the inverse's { $inverse }
+formula_cancelled = cancelled
+
 ## zipper
 
 zipper_too_few_points = at least 3 boundary points are needed, not { $count }

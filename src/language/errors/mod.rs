@@ -4,6 +4,7 @@ mod conformal;
 mod geometry;
 mod mesh;
 mod outline;
+mod rational;
 mod session;
 mod surface;
 mod surface_file;

@@ -145,7 +145,9 @@ keys_of_labels! {
     // request
     surface_obj_tooltip, surface_ply_tooltip, surface_glb_tooltip, surface_csv_tooltip, surface_svg_tooltip,
     animated_png, png_tooltip, animated_png_tooltip, gif_tooltip, svg_tooltip, disks_svg_tooltip, csv_tooltip, obj_tooltip, png, gif,
-    svg, csv, obj, ply, glb,
+    svg, csv, obj, ply, glb, formula, formula_tooltip,
+    // formula
+    format, digits, digits_tooltip, inverse_of_f,
     // words
     cauchy_green_gpu, cauchy_green_cpu, pending, pending_tooltip, size_tooltip, quality_tooltip, flipped_tooltip,
     frame_tooltip, source, target, stage_sample, stage_assemble, stage_order, stage_table, waiting_worker,
@@ -189,6 +191,9 @@ keys_of_messages! {
     of(part, whole);
     // window
     pictures_done(done, all);
+    // formula
+    formula_function(name, degree, poles, error, digits); formula_reaches(name, digits, asked); formula_left_out(name);
+    formula_boundary_values(name, error);
     // words
     edited_name(name); harmonic_coordinates(percent); cauchy_green_cpu_at(percent);
     sizes(boundary, interior, duration); surface_sizes_about(count, shown);

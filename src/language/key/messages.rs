@@ -32,6 +32,8 @@ keys_of_labels! {
     // conformal
     map_on_boundary, map_loop_anchor_not_finite, walk_no_boundary, integral_of_surface, stays_no_curve, equation_travels_apart, integral_no_curve, integral_apart,
     integral_not_resolved, integral_singular,
+    // rational
+    formula_cancelled,
     // session
     link_no_session, link_damaged, link_too_much, not_carried_inexact, limit_version, limit_coordinate, limit_anchor,
     limit_cells, limit_samples, limit_growth, limit_surface_boundary, limit_weight, limit_weight_sum,
@@ -119,6 +121,9 @@ keys_of_messages! {
     integral_too_large(needed, limit); integral_not_inside(x, y); integral_not_meshed(reason);
     stays_few_points(count); stays_many_corners(corners, count); stays_leaves_edge(x, y); stays_crosses_itself(x, y);
     stays_path_crosses(x, y);
+    // rational
+    formula_of_surface(side); formula_finite_elements(side, reason); formula_no_integral(side);
+    formula_no_digit(degree, forward, inverse);
     // zipper
     zipper_too_few_points(count); zipper_not_finite(index); zipper_repeated(index); zipper_point_outside(x, y);
     // session

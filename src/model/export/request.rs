@@ -1,7 +1,7 @@
 //! The settings of an export: kind of file, size, sides, motion.
 
 use crate::conformal::Side;
-use crate::export::FileFormat;
+use crate::export::{FileFormat, FormulaFormat};
 use crate::family::Path;
 use crate::language::{Label, key};
 use crate::model::Abilities;
@@ -17,26 +17,30 @@ pub enum Kind {
     Film(FilmFormat),
     /// Numbers, or vector graphics.
     File(FileFormat),
+    /// Map and inverse as rational functions.
+    Formula,
 }
 
 impl Kind {
-    const PLANAR: [Self; 6] = [
+    const PLANAR: [Self; 7] = [
         Self::Picture,
         Self::File(FileFormat::Svg),
         Self::File(FileFormat::Csv),
         Self::File(FileFormat::Obj),
         Self::Film(FilmFormat::Png),
         Self::Film(FilmFormat::Gif),
+        Self::Formula,
     ];
-    const THROUGH_DISK: [Self; 6] = [
+    const THROUGH_DISK: [Self; 7] = [
         Self::Picture,
         Self::File(FileFormat::Obj),
         Self::File(FileFormat::Csv),
         Self::File(FileFormat::Svg),
         Self::Film(FilmFormat::Png),
         Self::Film(FilmFormat::Gif),
+        Self::Formula,
     ];
-    const SURFACE: [Self; 8] = [
+    const SURFACE: [Self; 9] = [
         Self::Picture,
         Self::File(FileFormat::Obj),
         Self::File(FileFormat::Ply),
@@ -45,6 +49,7 @@ impl Kind {
         Self::File(FileFormat::Svg),
         Self::Film(FilmFormat::Png),
         Self::Film(FilmFormat::Gif),
+        Self::Formula,
     ];
 
     /// The kinds available for a map with these abilities.
@@ -67,6 +72,7 @@ impl Kind {
             Self::File(FileFormat::Obj) => key::obj(),
             Self::File(FileFormat::Ply) => key::ply(),
             Self::File(FileFormat::Glb) => key::glb(),
+            Self::Formula => key::formula(),
         }
     }
 
@@ -86,12 +92,13 @@ impl Kind {
             (Self::File(FileFormat::Obj), true) => key::surface_obj_tooltip(),
             (Self::File(FileFormat::Ply), _) => key::surface_ply_tooltip(),
             (Self::File(FileFormat::Glb), _) => key::surface_glb_tooltip(),
+            (Self::Formula, _) => key::formula_tooltip(),
         }
     }
 
     /// Whether the file consists of pixels.
     pub fn is_drawn(self) -> bool {
-        !matches!(self, Self::File(_))
+        matches!(self, Self::Picture | Self::Film(_))
     }
 }
 
@@ -114,6 +121,10 @@ pub struct ExportRequest {
     pub seconds: f64,
     /// The number of frames of one loop.
     pub frames: u32,
+    /// The format of a formula.
+    pub formula: FormulaFormat,
+    /// The number of digits of a formula, where its format has so many.
+    pub digits: u32,
 }
 
 impl Default for ExportRequest {
@@ -127,6 +138,8 @@ impl Default for ExportRequest {
             path: Path::Boundary,
             seconds: 4.0,
             frames: 60,
+            formula: FormulaFormat::Json,
+            digits: 8,
         }
     }
 }
@@ -136,6 +149,11 @@ impl ExportRequest {
     pub fn shot(&self, dark: bool) -> Shot {
         let Self { size, transparent, side, .. } = *self;
         Shot { size, dark, transparent, side }
+    }
+
+    /// The number of digits to ask for.
+    pub fn digits(&self) -> u32 {
+        self.digits.min(*self.formula.digits().end())
     }
 
     /// The settings of an animation.

@@ -2,7 +2,7 @@
 
 use super::messages;
 use crate::language::{Message, key};
-use crate::worker;
+use crate::worker::{self, Advance, Finding, Study};
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
@@ -20,9 +20,7 @@ pub fn listen(scope: &DedicatedWorkerGlobalScope) {
         let scope = scope.clone();
         Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
             if let Some(study) = messages::decode_study(&event.data()) {
-                if let Err(error) = scope.post_message(&messages::encode_finding(&study, &study.run())) {
-                    wasm_bindgen::throw_val(error);
-                }
+                run(&scope, &study);
                 return;
             }
             if messages::is_rehearsal(&event.data()) {
@@ -37,6 +35,23 @@ pub fn listen(scope: &DedicatedWorkerGlobalScope) {
     };
     scope.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
     on_message.forget();
+}
+
+/// Runs a study and posts its findings. It is cancelled by terminating the worker.
+fn run(scope: &DedicatedWorkerGlobalScope, study: &Study) {
+    let post = |finding: &Finding| {
+        if let Err(error) = scope.post_message(&messages::encode_finding(finding)) {
+            wasm_bindgen::throw_val(error);
+        }
+    };
+    let mut advance = Advance::default();
+    let finding = study.run(&mut |done| {
+        if advance.selects(done) {
+            post(&Finding::Progress(done));
+        }
+        true
+    });
+    finding.iter().for_each(post);
 }
 
 /// Responds to a request; to one that cannot be read, as a panic does: the page waits no longer and starts another

@@ -6,16 +6,17 @@
 //! `file` of a surface. A file is `{ name, bytes }`.
 //!
 //! A response is `{ generation }` with `stage`, `failed`, `outline`, `taken`, `session`, `unread`, `refused`, or `floats`,
-//! `indices`, `text` and, of a side, `notes`. An outline is `{ points, text }`, a session `{ source, target, text }` with its loaded outlines, a
-//! failure to read `{ text, repaired }`. `{ rehearsal }` has no response; a study is `{ study }`, its finding `{ study, finding }`;
-//! a panic is reported by `{ died }`. Small enums are JSON text in serde's form.
+//! `indices`, `record` and, of a side, `notes`. An outline is `{ points, text }`, a session `{ source, target, text }` with its loaded outlines, a
+//! failure to read `{ text, repaired }`. `{ rehearsal }` has no response; a study is `{ study }`, a finding `{ finding }`;
+//! a panic is reported by `{ died }`. Small enums are JSON text in serde's form; what travels between
+//! workers only is packed: `refused`, `record`, `study`, `finding`.
 
 use crate::conformal::{PerSide, PrepareSettings, Resampled};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::session::Session;
 use crate::worker::{
     Drawn, Failure, Finding, FlatOutline, FlatSession, NamedFile, Request, Response, Study, SurfaceSource, Task,
-    Transfer, Unread,
+    Transfer, Unread, packed, unpacked,
 };
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
@@ -153,7 +154,7 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
         Response::Unread(unread) => object(&[number, ("unread", encode_unread(&unread, &transfer))]),
         Response::Equation(equation) => match *equation {
             Ok(equation) => object(&[&[number], &encode_buffers(equation, &transfer)[..]].concat()),
-            Err(reason) => object(&[number, ("refused", json(&reason))]),
+            Err(reason) => object(&[number, ("refused", bytes(&reason))]),
         },
         Response::Prepared(side, notes) => {
             let buffers = match Transfer::try_from(&*side) {
@@ -222,7 +223,11 @@ fn encode_buffers(buffers: Transfer, transfer: &Array) -> [(&'static str, JsValu
         transfer.push(&array.buffer());
         indices.push(&array);
     }
-    [("floats", floats.into()), ("indices", indices.into()), ("text", buffers.text.into())]
+    [
+        ("floats", floats.into()),
+        ("indices", indices.into()),
+        ("record", Uint8Array::from(buffers.record.as_slice()).into()),
+    ]
 }
 
 fn decode_buffers(message: &JsValue) -> Option<Transfer> {
@@ -231,7 +236,7 @@ fn decode_buffers(message: &JsValue) -> Option<Transfer> {
     Some(Transfer {
         floats: floats.iter().map(|array| Float64Array::from(array).to_vec()).collect(),
         indices: indices.iter().map(|array| Uint32Array::from(array).to_vec()).collect(),
-        text: get(message, "text")?.as_string()?,
+        record: Uint8Array::from(get(message, "record")?).to_vec(),
     })
 }
 
@@ -247,22 +252,22 @@ pub fn is_rehearsal(message: &JsValue) -> bool {
 
 /// Encodes a study for its worker.
 pub fn encode_study(study: &Study) -> JsValue {
-    object(&[("study", json(study))])
+    object(&[("study", bytes(study))])
 }
 
 /// Decodes a study; `None` if [`encode_study`] did not make it.
 pub fn decode_study(message: &JsValue) -> Option<Study> {
-    parsed(message, "study")
+    taken(message, "study")
 }
 
-/// Encodes the finding of a study.
-pub fn encode_finding(study: &Study, finding: &Finding) -> JsValue {
-    object(&[("study", json(study)), ("finding", json(finding))])
+/// Encodes a finding of the study that was posted last.
+pub fn encode_finding(finding: &Finding) -> JsValue {
+    object(&[("finding", bytes(finding))])
 }
 
 /// Decodes a finding; `None` if [`encode_finding`] did not make it.
-pub fn decode_finding(message: &JsValue) -> Option<(Study, Finding)> {
-    Some((decode_study(message)?, parsed(message, "finding")?))
+pub fn decode_finding(message: &JsValue) -> Option<Finding> {
+    taken(message, "finding")
 }
 
 /// Encodes the report of a panic.
@@ -290,7 +295,7 @@ pub fn decode_response(message: &JsValue) -> Option<(u64, Response)> {
         Response::Session(Box::new(decode_session(&session)?))
     } else if let Some(unread) = get(message, "unread") {
         Response::Unread(decode_unread(&unread)?)
-    } else if let Some(reason) = parsed(message, "refused") {
+    } else if let Some(reason) = taken(message, "refused") {
         Response::Equation(Box::new(Err(reason)))
     } else if let Some(notes) = parsed(message, "notes") {
         Response::Prepared(Box::new(decode_buffers(message)?.into_side()?), notes)
@@ -315,6 +320,15 @@ fn json(value: &impl Serialize) -> JsValue {
 
 fn parsed<T: DeserializeOwned>(message: &JsValue, key: &str) -> Option<T> {
     serde_json::from_str(&get(message, key)?.as_string()?).ok()
+}
+
+/// The value as packed bytes.
+fn bytes(value: &impl Serialize) -> JsValue {
+    Uint8Array::from(packed(value).as_slice()).into()
+}
+
+fn taken<T: DeserializeOwned>(message: &JsValue, key: &str) -> Option<T> {
+    unpacked(&Uint8Array::from(get(message, key)?).to_vec())
 }
 
 fn object(fields: &[(&str, JsValue)]) -> JsValue {

@@ -1,7 +1,10 @@
-//! Export of pictures, animations, vector graphics, tables and meshes.
+//! Export of pictures, animations, vector graphics, tables, meshes and formulas.
 //!
-//! The window is in `window`, its form in `settings`; the files are made by [`crate::model::export`].
+//! The window is in `window`, its form in `settings`, `formula` has what concerns a formula; the files are made by
+//! [`crate::model::export`].
 
+mod formula;
+mod progress;
 mod settings;
 pub mod window;
 

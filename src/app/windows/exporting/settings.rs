@@ -21,7 +21,7 @@ const SIZES: [([u32; 2], &str); 4] = [
 const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
 impl Exporter {
     /// Shows the kinds of files and a description of the chosen one.
-    pub(super) fn kinds(&mut self, ui: &mut Ui, around: Surroundings, height: f32) {
+    pub(super) fn kinds(&mut self, ui: &mut Ui, around: &Surroundings, height: f32) {
         ui.horizontal_wrapped(|ui| {
             for &kind in Kind::all(around.abilities) {
                 if self.choice(ui, kind.label(), self.request.kind == kind, height).clicked() {
@@ -31,11 +31,15 @@ impl Exporter {
         });
         let weak = Palette::of(ui.visuals()).weak;
         ui.label(RichText::new(tr(self.request.kind.explained(around.abilities))).small().color(weak));
+        if let Some(reason) = around.no_formula.as_ref().filter(|_| self.request.kind == Kind::Formula) {
+            let ink = Palette::of(ui.visuals()).error_edge;
+            ui.label(RichText::new(say(&key::sentence(reason.clone()))).small().color(ink));
+        }
         ui.add_space(4.0);
     }
 
     /// Shows the settings of the chosen kind of file, as rows of a grid.
-    pub(super) fn settings(&mut self, ui: &mut Ui, around: Surroundings, height: f32) {
+    pub(super) fn settings(&mut self, ui: &mut Ui, around: &Surroundings, height: f32) {
         let kind = self.request.kind;
         if kind.is_drawn() {
             self.size(ui, around, height);
@@ -49,6 +53,9 @@ impl Exporter {
             let transparent = ui.checkbox(&mut self.request.transparent, tr(key::transparent()));
             self.note(key::transparent().english(), &transparent.on_hover_text(tr(key::transparent_tooltip())));
             ui.end_row();
+        }
+        if kind == Kind::Formula && around.no_formula.is_none() {
+            self.formula_settings(ui, height);
         }
         if let Kind::Film(format) = kind {
             self.film(ui, around, height, format);
@@ -70,7 +77,7 @@ impl Exporter {
         }
     }
 
-    fn size(&mut self, ui: &mut Ui, around: Surroundings, height: f32) {
+    fn size(&mut self, ui: &mut Ui, around: &Surroundings, height: f32) {
         ui.label(tr(key::size()));
         let most = around.max_side.min(*SIDES.end());
         ui.vertical(|ui| {
@@ -112,7 +119,7 @@ impl Exporter {
         ui.end_row();
     }
 
-    fn film(&mut self, ui: &mut Ui, around: Surroundings, height: f32, format: FilmFormat) {
+    fn film(&mut self, ui: &mut Ui, around: &Surroundings, height: f32, format: FilmFormat) {
         ui.label(tr(key::motion()));
         ui.horizontal(|ui| {
             for segment in &play_panel::PATHS {
@@ -154,7 +161,7 @@ impl Exporter {
         self.choice_named(ui, [label.english(), tr(label)], is_chosen, height)
     }
 
-    fn choice_named(
+    pub(super) fn choice_named(
         &mut self,
         ui: &mut Ui,
         [name, label]: [&'static str; 2],

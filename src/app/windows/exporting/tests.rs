@@ -1,18 +1,26 @@
 //! Exports do not change the model, and the window reports what cannot be exported.
 
-use crate::app::tests::{has_adapter, prepared_model, ready_app};
+use crate::app::RiemapApp;
+use crate::app::input::action::{Action, ExportAction};
+use crate::app::tests::{has_adapter, prepared_model, ready_app, step_until};
 use crate::app::windows::exporting::Exporter;
-use crate::conformal::PerSide;
-use crate::export::FileFormat;
+use crate::conformal::{PerSide, Side};
+use crate::export::{FileFormat, FormulaFormat};
 use crate::family::Path;
+use crate::language::key;
 use crate::model::export::ReadyFile;
 use crate::model::export::request::{ExportRequest, Kind};
 use crate::model::scene::Offscreen;
 use crate::model::{Abilities, Model};
 use crate::offscreen::job::{Job, Progress, Scenery};
+use crate::rational::Reached;
 use crate::render::{FilmFormat, Studio, headless_device};
+use crate::session::{Command, SurfaceShape, SurfaceSpec};
+use crate::surface::SurfacePreset;
+use crate::worker::{Finding, FormulaTask, FoundFormula};
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
 use image::AnimationDecoder;
 use image::codecs::gif::GifDecoder;
 use image::codecs::png::PngDecoder;
@@ -159,4 +167,110 @@ fn on_a_phone_a_button_as_large_as_a_fingertip_closes_the_window() {
     harness.get_by_label("Close").click();
     harness.run_steps(3);
     assert_eq!(harness.state().stats().screen.windows.export, None);
+}
+
+/// The app with the window open and a formula chosen.
+fn formula_window() -> Harness<'static, RiemapApp> {
+    let mut harness = ready_app([1200.0, 800.0]);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::E);
+    harness.run_steps(4);
+    harness.get_by_label("Formula").click();
+    harness.run_steps(3);
+    harness
+}
+
+fn progress(harness: &Harness<'_, RiemapApp>) -> Option<f64> {
+    harness.state().stats().screen.windows.formula.progress
+}
+
+#[test]
+fn a_formula_begins_in_its_worker_goes_on_and_is_cancelled() {
+    let mut harness = formula_window();
+    for label in ["Format", "Digits", "JSON", "Python", "Julia", "JavaScript", "GLSL"] {
+        assert!(harness.query_by_label(label).is_some(), "{label}");
+    }
+    let session = harness.state().model.session().clone();
+    harness.get_by_label("Save").click();
+    harness.run_steps(2);
+    step_until(&mut harness, |app| app.stats().screen.windows.formula.progress.is_some_and(|done| done > 0.0));
+    assert!(harness.query_by_label("Save").is_none() && progress(&harness).unwrap() < 1.0);
+    harness.get_by_label("Cancel").click();
+    harness.run_steps(3);
+    assert!(progress(&harness).is_none() && harness.query_by_label("Save").is_some());
+    let task = harness.state().model.formula_task(FormulaFormat::Json, 8).unwrap();
+    let exporter = &mut harness.state_mut().windows.exporter;
+    assert!(exporter.accept_formula(&task, Finding::Failed("late".into())).is_none());
+    harness.run_steps(3);
+    let stats = harness.state().stats();
+    assert!(stats.screen.windows.formula.reached.is_empty() && stats.screen.errors.is_empty(), "{stats:?}");
+    assert_eq!(harness.state().model.session(), &session);
+}
+
+fn found(source: u32, target: u32) -> Finding {
+    let reached = |digits| Reached {
+        degree: 12,
+        poles: 11,
+        digits,
+        error: 3.21e-7,
+        boundary_error: 1e-5,
+        is_boundary_exact: digits != 6,
+    };
+    let reached = PerSide::new(reached(source), reached(target));
+    Finding::Formula(Box::new(FoundFormula { text: "the file".into(), reached }))
+}
+
+#[test]
+fn a_finished_formula_is_a_file_and_the_window_says_what_it_reached() {
+    let mut harness = formula_window();
+    let task = harness.state().model.formula_task(FormulaFormat::Python, 8).unwrap();
+    let exporter = &mut harness.state_mut().windows.exporter;
+    exporter.begin_formula(task.clone());
+    assert!(exporter.is_busy() && !exporter.is_drawing());
+    let other = FormulaTask::new(&prepared_model().session().clone(), FormulaFormat::Glsl, 5).unwrap();
+    assert!(exporter.accept_formula(&other, found(8, 8)).is_none(), "a finding about another task");
+    assert!(exporter.accept_formula(&task, Finding::Progress(0.4)).is_none());
+    assert_eq!(exporter.formula_progress(), Some(0.4));
+    harness.run_steps(2);
+    assert!(harness.query_by_label("40 %").is_some());
+    let file = harness.state_mut().windows.exporter.accept_formula(&task, found(6, 0)).unwrap();
+    assert_eq!((file.name.as_str(), file.bytes.as_slice()), ("riemap_formula.py", b"the file".as_slice()));
+    harness.run_steps(3);
+    let expected = [
+        "riemap_formula.py",
+        "f: degree 12; poles: 11, none inside; largest error: 3.2e-7; digits: 6",
+        "f reaches 6 of 8 digits",
+        "The boundary values of f may be off by 1.0e-5",
+        "inverse of f is left out: no rational function was found that has one digit",
+    ];
+    assert_eq!(harness.state().stats().screen.windows.formula.reached, expected);
+    for text in expected {
+        assert!(harness.query_by_label(text).is_some(), "{text}");
+    }
+    let exporter = &mut harness.state_mut().windows.exporter;
+    exporter.begin_formula(task.clone());
+    assert!(exporter.accept_formula(&task, Finding::Failed(key::no_map().into())).is_none() && !exporter.is_busy());
+    assert_eq!(exporter.errors().count(), 1);
+}
+
+#[test]
+fn single_precision_has_five_digits_and_the_others_keep_theirs() {
+    let request = |formula| ExportRequest { formula, ..ExportRequest::default() };
+    let digits = FormulaFormat::ALL.map(|format| request(format).digits());
+    assert_eq!(digits, [8, 8, 8, 8, 5]);
+}
+
+#[test]
+fn a_formula_of_a_surface_is_refused_with_the_reason() {
+    let mut harness = formula_window();
+    let surface = SurfaceSpec::new(SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 60 });
+    let context = harness.ctx.clone();
+    let set = Action::Session(Command::SetSurface { side: Side::Target, surface });
+    harness.state_mut().carry_out(&context, vec![set]);
+    step_until(&mut harness, |app| app.model.is_ready() && app.model.surface(Side::Target).is_some());
+    harness.run_steps(3);
+    assert!(harness.query_by_label_contains("the target is a surface; a formula is for two outlines").is_some());
+    assert!(harness.query_by_label("Digits").is_none() && harness.get_by_label("Save").accesskit_node().is_disabled());
+    harness.state_mut().carry_out(&context, vec![Action::Export(ExportAction::Save)]);
+    assert!(!harness.state().windows.exporter.is_busy());
+    assert_eq!(harness.state().windows.exporter.errors().count(), 1);
 }

@@ -1,17 +1,17 @@
-//! The export window: chooses a kind of file, shows the progress of the job, and saves the result.
+//! The export window: chooses a kind of file, shows the progress of its job or worker, and saves the result.
 
 use crate::app::input::action::{Action, Actions, ExportAction};
 use crate::app::theme::text_metrics::scroll_beyond;
 use crate::app::theme::widgets::{close_button, message_box};
-use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, control_height};
-use crate::language::{Message, key, say, tr};
+use crate::app::theme::{Palette, ROW_HEIGHT, control_height};
+use crate::app::windows::exporting::formula::FormulaWork;
+use crate::app::windows::exporting::progress::progress_bar;
+use crate::language::{Message, key, tr};
 use crate::model::Abilities;
 use crate::model::export::request::{ExportRequest, Kind};
 use crate::model::export::{FileRequest, ReadyFile};
 use crate::offscreen::job::{Job, Progress};
-use egui::{
-    Align2, Button, CornerRadius, Grid, Key, Modifiers, RichText, Role, Sense, Ui, Vec2, WidgetInfo, Window, vec2,
-};
+use egui::{Button, Grid, Key, Modifiers, RichText, Ui, Window, vec2};
 use std::collections::BTreeMap;
 
 const WIDTH: f32 = 400.0;
@@ -36,7 +36,7 @@ pub enum MapState {
 }
 
 /// The facts about the app that decide what can be exported.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Surroundings {
     /// The state of the map.
     pub map: MapState,
@@ -44,14 +44,17 @@ pub struct Surroundings {
     pub abilities: Abilities,
     /// The largest width or height of a texture, in pixels.
     pub max_side: u32,
+    /// Why there is no formula.
+    pub no_formula: Option<Message>,
 }
 
-/// The export window and the job that it has started.
+/// The export window, and the job or the formula that it has started.
 #[derive(Default)]
 pub struct Exporter {
     is_open: bool,
     pub(super) request: ExportRequest,
-    job: Option<Job>,
+    pub(super) job: Option<Job>,
+    pub(super) formula: FormulaWork,
     error: Option<Message>,
     /// The centers of the window's controls, by their English labels.
     pub(super) places: BTreeMap<&'static str, [f32; 2]>,
@@ -82,9 +85,9 @@ impl Exporter {
         };
     }
 
-    /// Drops the job, if there is one.
+    /// Drops the job, and whatever comes from the formula's worker.
     pub fn cancel(&mut self) {
-        self.job = None;
+        (self.job, self.formula) = (None, FormulaWork::None);
     }
 
     /// Sets the error that the window shows; `None` clears it.
@@ -103,9 +106,14 @@ impl Exporter {
         self.error.clone().filter(|_| self.is_open).into_iter().chain(refused)
     }
 
-    /// Whether a job is in progress.
-    pub fn is_busy(&self) -> bool {
+    /// Whether a job is in progress, which goes on by [`Self::work`].
+    pub fn is_drawing(&self) -> bool {
         self.job.is_some()
+    }
+
+    /// Whether a job or a formula is in progress.
+    pub fn is_busy(&self) -> bool {
+        self.is_drawing() || self.formula_progress().is_some()
     }
 
     /// Works on the job for a part of a frame; returns the file once complete. An error ends the job and is shown.
@@ -133,13 +141,14 @@ impl Exporter {
         self.job.as_ref().map(Job::count)
     }
 
-    /// Closes the window and cancels the job.
+    /// Closes the window and cancels what is in progress.
     pub fn close(&mut self) {
-        (self.is_open, self.error, self.job) = (false, None, None);
+        (self.is_open, self.error) = (false, None);
+        self.cancel();
     }
 
     /// Draws the window if it is open.
-    pub fn show(&mut self, context: &egui::Context, around: Surroundings, actions: &mut Actions) {
+    pub fn show(&mut self, context: &egui::Context, around: &Surroundings, actions: &mut Actions) {
         if !self.is_open {
             return;
         }
@@ -167,8 +176,8 @@ impl Exporter {
         }
     }
 
-    /// The form, which scrolls, and below it the buttons or the progress of the job.
-    fn content(&mut self, ui: &mut Ui, around: Surroundings, actions: &mut Actions) {
+    /// The form with what a formula reached, which scrolls, and below it the buttons or the progress of the job.
+    fn content(&mut self, ui: &mut Ui, around: &Surroundings, actions: &mut Actions) {
         let height = control_height(ui, ROW_HEIGHT);
         scroll_beyond(ui, BESIDES, |ui| {
             ui.set_width(ui.available_width() - SCROLL_BAR);
@@ -178,6 +187,9 @@ impl Exporter {
                     self.settings(ui, around, height);
                 });
             });
+            if self.request.kind == Kind::Formula {
+                self.show_formula_notes(ui);
+            }
         });
         ui.add_space(6.0);
         self.bottom(ui, around, height, actions);
@@ -188,13 +200,11 @@ impl Exporter {
         }
     }
 
-    fn bottom(&mut self, ui: &mut Ui, around: Surroundings, height: f32, actions: &mut Actions) {
+    fn bottom(&mut self, ui: &mut Ui, around: &Surroundings, height: f32, actions: &mut Actions) {
         ui.horizontal(|ui| {
-            if let Some(job) = &self.job {
-                let [done, all] = job.count();
-                let text = if all > 1 { say(&key::pictures_done(done, all)) } else { String::new() };
+            if let Some((done, text)) = self.progress() {
                 let size = vec2(ui.available_width() - 110.0, height);
-                progress_bar(ui, size, job.progress(), text);
+                progress_bar(ui, size, done, text);
                 let cancel = ui.add_sized([100.0, height], Button::new(tr(key::cancel())));
                 self.note(key::cancel().english(), &cancel);
                 if cancel.clicked() {
@@ -203,14 +213,21 @@ impl Exporter {
                 return;
             }
             let Kind::Film(format) = self.request.kind else {
-                let can_be =
-                    around.map == MapState::Complete || (around.map == MapState::Ready && self.request.kind.is_drawn());
-                return self.save(ui, can_be, height, actions);
+                return self.save(ui, self.can_save(around), height, actions);
             };
             let moves = around.abilities.refused_path(self.request.path).is_none();
             let can_be = self.request.film(format).check().is_ok() && moves;
             self.save(ui, around.map != MapState::Preparing && can_be, height, actions);
         });
+    }
+
+    /// Whether a file other than an animation can be saved. A formula needs the points only.
+    fn can_save(&self, around: &Surroundings) -> bool {
+        match self.request.kind {
+            Kind::Formula => around.map != MapState::Preparing && around.no_formula.is_none(),
+            Kind::File(_) => around.map == MapState::Complete,
+            _ => around.map != MapState::Preparing,
+        }
     }
 
     fn save(&mut self, ui: &mut Ui, enabled: bool, height: f32, actions: &mut Actions) {
@@ -229,17 +246,4 @@ impl Exporter {
             actions.push(Action::Export(ExportAction::Close));
         }
     }
-}
-
-/// A progress bar with a text over it; `done` is from 0 to 1.
-fn progress_bar(ui: &mut Ui, size: Vec2, done: f32, text: String) {
-    let palette = Palette::of(ui.visuals());
-    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, &text));
-    let rounding = CornerRadius::same(ROUNDING);
-    ui.painter().rect_filled(rect, rounding, palette.border);
-    let filled = rect.with_max_x(rect.left() + done.clamp(0.0, 1.0) * rect.width());
-    ui.painter().with_clip_rect(filled).rect_filled(rect, rounding, palette.accent_soft.gamma_multiply(0.6));
-    let font = egui::TextStyle::Body.resolve(ui.style());
-    ui.painter().text(rect.center(), Align2::CENTER_CENTER, text, font, palette.text);
 }
