@@ -91,11 +91,11 @@ fn the_distance_of_a_point_from_itself_is_zero() {
 #[test]
 fn dense_points_and_paths_are_taken_as_curves() {
     let folder = folder("curves");
-    let ellipse: String = (0..600)
+    let ellipse: Vec<String> = (0..600)
         .map(|k| f64::from(k) / 600.0 * std::f64::consts::TAU)
-        .map(|t| format!("{},{}\n", 2.0 * t.cos(), t.sin()))
+        .map(|t| format!("{},{}", 2.0 * t.cos(), t.sin()))
         .collect();
-    let ellipse = file(&folder, "ellipse.csv", &ellipse);
+    let ellipse = file(&folder, "ellipse.csv", &ellipse.join("\n"));
     let found = json(&[&ellipse, "--point", "0,0"]);
     // (a + b)/2
     let capacity = found["capacity"]["value"].as_f64().unwrap();

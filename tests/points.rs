@@ -54,14 +54,12 @@ fn a_moebius_map_of_the_disk_has_its_values_in_either_direction_of_the_mesh() {
 #[test]
 fn errors_with_finite_elements_are_covered_either_way_and_not_by_far_too_much() {
     let folder = folder("finite elements");
-    let text: String = (0..300)
-        .map(f64::from)
-        .map(|k| {
-            let r = 0.97 * (k / 300.0).sqrt();
-            format!("{},{}\n", r * (2.4 * k).cos(), r * (2.4 * k).sin())
-        })
-        .collect();
-    let points = file(&folder, "in.csv", &text);
+    let row = |k: f64| {
+        let r = 0.97 * (k / 300.0).sqrt();
+        format!("{},{}", r * (2.4 * k).cos(), r * (2.4 * k).sin())
+    };
+    let rows_in: Vec<String> = (0..300).map(f64::from).map(row).collect();
+    let points = file(&folder, "in.csv", &rows_in.join("\n"));
     let out = folder.join("out.csv").display().to_string();
     for inverse in [false, true] {
         let arguments =

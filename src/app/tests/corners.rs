@@ -23,7 +23,7 @@ fn corner_count(app: &RiemapApp) -> usize {
 fn switched(app: &RiemapApp) -> Vec<u32> {
     match &app.model.session().domain(SIDE).outline {
         OutlineSpec::Points { form, .. } => form.switched.clone(),
-        _ => Vec::new(),
+        OutlineSpec::Preset(_) => Vec::new(),
     }
 }
 
