@@ -6,10 +6,10 @@
 mod support;
 
 use riemap::conformal::{
-    ConformalMap, Constraints, KernelMode, MapSettings, PrepareSettings, Side, prepare, prepare_curve,
+    ConformalMap, Constraints, KernelMode, MapSettings, PerSide, PrepareSettings, Side, prepare, prepare_curve,
 };
 use riemap::exact::{Complex, blob, complex, disk, square, vshape};
-use riemap::export::FormulaFormat;
+use riemap::export::{FormulaFile, FormulaFormat};
 use riemap::geometry::{CurvePoint, DVec2};
 use riemap::outline::Preset;
 use riemap::rational::{Formula, FormulaError};
@@ -234,7 +234,7 @@ fn files_are_structured_as_their_languages_want() {
     assert!(String::from_utf8(output.stdout).unwrap().contains("f_inverse: degree"));
     let text = std::fs::read_to_string(&julia).unwrap();
     assert!(text.contains("f(z::Number)") && text.contains("f_inverse(w::Number)") && !text.contains('@'));
-    assert!(text.lines().next().unwrap().starts_with("# The conformal map"));
+    assert!(text.lines().next().unwrap().starts_with("# A conformal map"));
     let json: serde_json::Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
     for function in ["f", "inverse"] {
         let part = &json[function];
@@ -247,6 +247,21 @@ fn files_are_structured_as_their_languages_want() {
         assert!(part["digits_reached"].as_u64().unwrap() >= 3);
     }
     assert!(json["there_and_back"]["source"].as_f64().unwrap() < 0.1);
+}
+
+#[test]
+fn a_name_is_not_read_as_the_encoding_of_a_file() {
+    let map = map(Preset::Disk, Preset::Disk, [Some(DVec2::new(0.3, 0.2)), None]);
+    let formula = Formula::new(&map, 4, &mut |_| true).unwrap();
+    let folder = folder("encoding");
+    // Python decodes the second one to a line of its own, and runs it
+    for name in ["decoding: test.svg", "coding:utf-7 +AAo-raise SystemExit(3)+AAo-#"] {
+        let text = FormulaFile::new(PerSide::new(name, name), 4, &formula).text(FormulaFormat::Python);
+        let path = support::program::file(&folder, "f.py", &text);
+        let Some(found) = images(Path::new(&path), "f", &[Complex::new(0.3, 0.2)]) else { continue };
+        assert!(found[0].norm() < 1e-4, "{}", found[0]);
+        assert!(text.contains(name) && !text.lines().take(2).any(|line| line.contains(name)), "{text}");
+    }
 }
 
 #[test]

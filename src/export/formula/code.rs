@@ -105,16 +105,17 @@ fn rows(fit: &Fit, row: &dyn Fn([Complex64; 3]) -> String) -> String {
     lines.join("\n")
 }
 
-/// What the functions are, for which points, and how accurate.
+/// What the functions are, for which points, and how accurate. No name stands in the first two lines: there Python would
+/// read one like `coding: …` as the file's encoding (PEP 263).
 fn comments(file: &FormulaFile<'_>, comment: &str) -> String {
     let names = &file.names;
     let mut text = format!(
-        "{comment} The conformal map f of \"{}\" onto \"{}\", and its inverse, as rational functions.\n\
-         {comment} Made by riemap {}. Both are in barycentric form,\n\
-         {comment} r(z) = sum w_k f_k/(z - z_k) / sum w_k/(z - z_k), with support points z_k, values f_k, weights w_k.\n",
+        "{comment} A conformal map f and its inverse as rational functions in barycentric form,\n\
+         {comment} r(z) = sum w_k f_k/(z - z_k) / sum w_k/(z - z_k), with support points z_k, values f_k, weights w_k.\n\
+         {comment} Made by riemap {}: f maps \"{}\" onto \"{}\".\n",
+        env!("CARGO_PKG_VERSION"),
         names.source,
-        names.target,
-        env!("CARGO_PKG_VERSION")
+        names.target
     );
     for (name, side, fit) in file.functions() {
         let Some(fit) = fit else {
