@@ -154,14 +154,6 @@ fn pairs(sides: &[Prepared]) -> impl Iterator<Item = (&Prepared, &Prepared)> {
     sides.iter().flat_map(move |a| sides.iter().map(move |b| (a, b)))
 }
 
-/// Whether sums of the boundary integral tell a boundary apart that is dark on both sides alike. Most of the spiral's is
-/// not: the map onto itself is out of order there before it is refined. In the corners of the gingerbread man's feet,
-/// 4e-12 of its area is.
-fn is_told_apart((a, b): &(&Prepared, &Prepared)) -> bool {
-    let is_dark = ["spiral (Integral)", "game_gingerbread-man.json (Integral)"].contains(&a.name.as_str());
-    a.name != b.name || !is_dark
-}
-
 /// Each preset onto each, with finite elements; a table with `--nocapture`. The source is mapped: a → b backward is
 /// b → a forward.
 #[test]
@@ -185,7 +177,27 @@ fn refined_maps_by_the_boundary_integral_do_so_too() {
 #[ignore = "takes minutes"]
 fn refined_maps_between_all_presets_by_the_boundary_integral_do_so_too() {
     let sides = Preset::ALL.map(|preset| Prepared::preset(preset, KernelMode::Integral));
-    check_all(pairs(&sides).filter(is_told_apart));
+    check_all(pairs(&sides));
+}
+
+/// Most of the spiral has less than 1e-16 of the measure, on both sides: its constraints alone do not tell it apart.
+#[test]
+fn a_spiral_is_mapped_onto_itself() {
+    for kernel in [KernelMode::Integral, KernelMode::Adjoint] {
+        let spiral = Prepared::preset(Preset::Spiral, kernel);
+        let map = map_between(&spiral.side, &spiral.side, Direction::Forward);
+        let fine = refined(&map);
+        let off = |map: &ConformalMap| {
+            let points = map.domain(Side::Source).unwrap().mesh().vertices();
+            points.iter().zip(map.images()).map(|(p, &q)| p.distance(q)).fold(0.0, f64::max)
+        };
+        let unresolved = fine.resolution().map_or(0.0, ResolvedBoundary::unresolved_area);
+        println!("{kernel:?}: off by {:.1e}, refined {:.1e}, unresolved {unresolved:.1e}", off(&map), off(&fine));
+        // next to where measures from another anchor begin, they have four digits; while dragging, finite elements are
+        // matched in one direction only
+        assert!(kernel == KernelMode::Adjoint || off(&map) < 1e-5 * extent(&spiral.points));
+        assert!(off(&fine) < 1e-9 * extent(&spiral.points) && unresolved < 1e-9);
+    }
 }
 
 /// Vertices of the refined mesh and their images lie on the curves, at equal measure to rounding.
@@ -283,7 +295,7 @@ mod shared_data {
         for kernel in [KernelMode::Adjoint, KernelMode::Integral] {
             let mut sides = prepared(kernel);
             sides.extend([Preset::Heart, Preset::Disk, Preset::VShape].map(|preset| Prepared::preset(preset, kernel)));
-            check_all(pairs(&sides).filter(is_told_apart));
+            check_all(pairs(&sides));
         }
     }
 }

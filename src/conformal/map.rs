@@ -13,6 +13,7 @@
 //! With [`Extension::CauchyGreen`] and [`Extension::Exact`] an update yields the harmonic images;
 //! [`ConformalMap::refine`] then replaces them chunk by chunk, within the given time.
 
+use super::far_anchors::FarAnchor;
 use super::kernel::KernelScratch;
 use super::map_run::Run;
 use super::map_side::MapSide;
@@ -65,6 +66,8 @@ pub struct ConformalMap {
     pub(super) resolution: Option<Arc<ResolvedBoundary>>,
     /// The errors by comparison with finer meshes, if they were estimated.
     pub(super) compared: Option<Box<Differences>>,
+    /// Where both boundaries are far from both points.
+    pub(super) far: Vec<FarAnchor>,
 }
 
 impl ConformalMap {
@@ -97,6 +100,7 @@ impl ConformalMap {
             through_disk: ThroughDisk::default(),
             resolution: None,
             compared: None,
+            far: Vec::new(),
         }
     }
 
@@ -112,6 +116,7 @@ impl ConformalMap {
             timings: self.timings,
             resolution: self.resolution.clone(),
             compared: self.compared.clone(),
+            far: self.far.clone(),
             ..Self::unmapped(source, target)
         };
         if self.extension_progress() < 1.0 {
@@ -145,7 +150,7 @@ impl ConformalMap {
         let Some(mut run) = run else { return Ok(true) };
         let is_done = self.go_on(&mut run, deadline)?;
         if is_done {
-            self.commit(&run);
+            self.commit(run);
         } else {
             self.run = Some(run);
         }
@@ -166,7 +171,7 @@ impl ConformalMap {
     }
 
     /// Makes the results of a complete update visible; its images are already in place.
-    fn commit(&mut self, run: &Run) {
+    fn commit(&mut self, run: Run) {
         for side in Side::BOTH {
             self.sides[side].commit(side, &run.constraints, &run.changes[side]);
         }
@@ -176,6 +181,7 @@ impl ConformalMap {
         std::mem::swap(&mut self.correspondence, &mut self.coming);
         (self.settings, self.timings) = (run.settings, run.timings);
         (self.resolution, self.compared) = (None, None);
+        self.far = run.far;
         self.begin_refinement();
     }
 

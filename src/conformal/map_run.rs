@@ -1,5 +1,6 @@
 //! An update of a map as a resumable sequence of stages.
 
+use super::far_anchors::{FarAnchor, far_anchors};
 use super::map_side::{Change, MapSide};
 use super::stage::Stage;
 use super::{
@@ -18,11 +19,13 @@ pub(super) struct Run {
     pub changes: PerSide<Change>,
     stage: Stage,
     pub timings: FrameTimings,
+    /// Where both boundaries are far from both points.
+    pub far: Vec<FarAnchor>,
 }
 
 impl Run {
     pub fn new(constraints: Constraints, settings: MapSettings, changes: PerSide<Change>) -> Self {
-        Self { constraints, settings, changes, stage: Stage::FIRST, timings: FrameTimings::default() }
+        Self { constraints, settings, changes, stage: Stage::FIRST, timings: FrameTimings::default(), far: Vec::new() }
     }
 
     /// The sides whose measure, and all that depends on it, this update recomputes.
@@ -109,9 +112,13 @@ impl ConformalMap {
     fn match_boundaries(&mut self, run: &mut Run) {
         let start = Instant::now();
         let side = run.mapped();
-        let [mapped, other] =
-            [side, side.other()].map(|side| self.sides[side].measured.coming_measure(run.changes[side].renewal()));
-        match_measures(mapped, other, &mut self.coming);
+        let measures = PerSide::from_fn(|side| {
+            let MapSide { prepared, measured, .. } = &self.sides[side];
+            (&**prepared, measured.coming_measure(run.changes[side].renewal()))
+        });
+        match_measures(measures[side].1, measures[side.other()].1, &mut self.coming);
+        run.far = far_anchors(measures);
+        self.coming.match_far(&run.far, side);
         run.timings.matching += start.elapsed().as_secs_f64() * 1e3;
     }
 

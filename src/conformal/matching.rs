@@ -4,8 +4,9 @@
 //! with the same harmonic measure. One pass, O(m + m'). The correspondence keeps
 //! the cyclic order (weakly: where ω is flat in f64, points coincide).
 
-use super::HarmonicMeasure;
-use super::curved::{CurveMeasure, match_sharply};
+use super::curved::{CurveMeasure, match_sharply, nearer};
+use super::far_anchors::FarAnchor;
+use super::{HarmonicMeasure, Side};
 use crate::geometry::{CurvePoint, DVec2};
 use crate::outline::{BoundaryPoint, BoundarySamples};
 
@@ -50,6 +51,21 @@ impl BoundaryCorrespondence {
         self.points.resize(m, anchor);
         self.exact.clear();
         self.exact.resize(m, (on_curve, DVec2::ZERO));
+    }
+
+    /// Matches anew where both boundaries are far from both points, if the target's measure is from the boundary
+    /// integral: one by finite elements is known in one direction only.
+    pub(super) fn match_far(&mut self, far: &[FarAnchor], mapped: Side) {
+        for FarAnchor { measures, limit } in far.iter().rev() {
+            let (source, target) = (&measures[mapped], &measures[mapped.other()]);
+            let Some(target) = CurveMeasure::new(target) else { continue };
+            let mut matched = Self::default();
+            match_sharply(source, &target, &mut matched);
+            for knot in (1..=source.vertex_count()).filter(|&knot| nearer(source, knot).0 < *limit) {
+                let k = source.vertex_at(knot);
+                (self.points[k], self.exact[k]) = (matched.points[k], matched.exact[k]);
+            }
+        }
     }
 
     /// Sets the image of vertex `k`.

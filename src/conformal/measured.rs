@@ -39,7 +39,7 @@ impl Measured {
         self.coming_measure.set_along(side.edge_lengths(), kernel, side.at_fraction(s));
         let swept = if renewal.kernel { &self.coming_swept } else { &self.swept };
         if let (Some(boundary), Some(swept)) = (side.curve_boundary(), swept) {
-            SharpMeasure::set(side, boundary, swept, s, &mut self.coming_measure);
+            SharpMeasure::set(side, (boundary, swept), s, None, &mut self.coming_measure);
         }
     }
 

@@ -38,6 +38,7 @@ mod domain;
 mod exact_images;
 mod extension;
 #[cfg(feature = "io")]
+mod far_anchors;
 mod flat;
 mod histogram;
 mod hit_counts;

@@ -55,7 +55,12 @@ impl ConformalMap {
             let (from, to) = measure.span(j);
             lengths[measure.vertex_at(j)] * (to - from)
         };
-        let is_continued = |j: &usize| sharp.is_continued(*j) && sharp.is_continued(j + 1);
+        let is_far = |j: usize| {
+            (1..=measure.vertex_count()).contains(&j)
+                && self.far.iter().any(|far| far.is_continued(side, measure.vertex_at(j)))
+        };
+        let is_known = |j: usize| sharp.is_continued(j) || is_far(j);
+        let is_continued = |j: &usize| is_known(*j) && is_known(j + 1);
         (0..=measure.vertex_count()).filter(is_continued).map(length).fold(0.0, |sum, length| sum + length) / total
     }
 

@@ -4,7 +4,7 @@
 //! The map preserves the order along the curves up to rounding. Where finite elements continue a measure, the image
 //! is interpolated there, and its estimated error says so.
 
-use super::super::{ConformalMap, Side};
+use super::super::{ConformalMap, HarmonicMeasure, Side};
 use super::curve_measure::CurveMeasure;
 use super::sharp::Way;
 use crate::geometry::{Curve, CurvePoint};
@@ -14,15 +14,24 @@ use crate::geometry::{Curve, CurvePoint};
 pub struct CurveMap<'a> {
     from: CurveMeasure<'a>,
     onto: CurveMeasure<'a>,
+    /// The measures where both boundaries are far from both points, from anchors there, and up to which they are used.
+    far: Vec<([CurveMeasure<'a>; 2], f64)>,
 }
 
 impl ConformalMap {
     /// The boundary map from the curve of side `from` to the other curve, whichever mesh is mapped; `None` unless both
     /// measures are from the integral equation. Cost O(panels).
     pub fn curve_map(&self, from: Side) -> Option<CurveMap<'_>> {
-        let [from, onto] = [from, from.other()].map(|side| CurveMeasure::new(self.measure(side)));
-        Some(CurveMap { from: from?, onto: onto? })
+        let sides = [from, from.other()];
+        let far = self.far.iter().map(|far| Some((pair(sides.map(|side| &far.measures[side]))?, far.limit)));
+        let far = far.collect::<Option<Vec<_>>>()?;
+        let [from, onto] = pair(sides.map(|side| self.measure(side)))?;
+        Some(CurveMap { from, onto, far })
     }
+}
+
+fn pair([from, onto]: [&HarmonicMeasure; 2]) -> Option<[CurveMeasure<'_>; 2]> {
+    Some([CurveMeasure::new(from)?, CurveMeasure::new(onto)?])
 }
 
 /// Fractions of the length that differ by less are one place.
@@ -48,6 +57,12 @@ impl<'a> CurveMap<'a> {
 
     /// The image of a point of the mapped curve on the other one. O(log panels).
     pub fn image(&self, point: CurvePoint) -> CurvePoint {
+        for ([from, onto], limit) in &self.far {
+            let (omega, way) = from.nearer(point);
+            if omega < *limit {
+                return onto.point(omega, way);
+            }
+        }
         let (omega, way) = self.from.nearer(point);
         self.onto.point(omega, way)
     }

@@ -6,6 +6,7 @@
 mod accuracy;
 mod arc_table;
 mod boundary;
+mod continued;
 mod curve_map;
 mod curve_measure;
 mod equation;
@@ -17,7 +18,7 @@ mod sharp;
 pub use accuracy::ErrorEstimate;
 pub use boundary::CurveBoundary;
 pub use curve_map::CurveMap;
-pub(super) use curve_measure::CurveMeasure;
+pub(super) use curve_measure::{CurveMeasure, nearer};
 pub use equation::BoundaryEquation;
 #[cfg(feature = "io")]
 pub(crate) use equation::FlatEquation;

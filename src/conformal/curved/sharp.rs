@@ -3,30 +3,21 @@
 //! The computed density has an error of either sign, from rounding or, on curves of many corners and knots, from panels
 //! that do not resolve it better. Where that leaves the density next to the anchor three digits or more, measures counted
 //! from the anchor keep them at any distance, in corners too: both are summed from there. Around an anchor in a crowded
-//! part of the boundary, where the measure from it is below [`least`], the positive finite-element density continues: its
-//! measure, summed from the anchor, times the ratio of both measures over the adjoining stretch where the measure is 10
-//! to 1000 times as large. No smaller total is divided by. Elsewhere steps below 1e-16 cannot be told apart in f64; there
-//! the measure stands still.
+//! part of the boundary the positive finite-element density continues (file `continued`). Elsewhere steps below 1e-16
+//! cannot be told apart in f64; there the measure stands still, unless the other boundary does so too: see
+//! [`far anchors`](super::super::far_anchors).
 
 use super::super::matching::inverse_quadratic;
 use super::super::{HarmonicMeasure, PreparedSide};
 use super::CurveBoundary;
+use super::continued::{agreed, carry_on, least, ratio};
 use crate::boundary_integral::{self, AnchoredMeasure};
 use crate::geometry::{CurvePoint, Junction};
 use crate::outline::BoundaryPoint;
 use std::sync::Arc;
 
-/// Measures from an anchor in a crowded part are those of finite elements below this one, where rounding leaves sums of
-/// the boundary integral a relative error of 1e-3.
-const LEAST: f64 = 1e-12;
-/// The same, in floors of the measure, where these are larger than rounding. The residual of the identities is 100 times
-/// the error found in the stem of a leaf of 601 points.
-const LEAST_IN_FLOORS: f64 = 30.0;
 /// The largest error of the density next to the anchor, in densities, with which measures are counted from there.
 const RESOLVED: f64 = 1e-3;
-/// The stretch over which the two measures are compared, in least measures.
-const COMPARED: [f64; 2] = [10.0, 1000.0];
-
 /// What Gauss's rule leaves on panels that are next to panels beyond a junction, and the identities do not see: 2e-13
 /// inside of the square's sides, whose measures are right to 1e-15.
 const NEAR_PARTS: f64 = 4e-13;
@@ -70,12 +61,13 @@ impl PartialEq for SharpMeasure {
 
 impl SharpMeasure {
     /// The measure `swept` from the anchor of `finite`, the finite-element measure, whose values it replaces. `s` is
-    /// the anchor's fraction of the length.
+    /// the anchor's fraction of the length. Finite elements give the measures below `continued`; without it, if the
+    /// density next to the anchor is not resolved, those below [`least`].
     pub fn set(
         side: &PreparedSide,
-        boundary: &Arc<CurveBoundary>,
-        swept: &Arc<boundary_integral::HarmonicMeasure>,
+        (boundary, swept): (&Arc<CurveBoundary>, &Arc<boundary_integral::HarmonicMeasure>),
         s: f64,
+        continued: Option<f64>,
         finite: &mut HarmonicMeasure,
     ) {
         let (at, m) = (finite.anchor(), finite.vertex_count());
@@ -101,12 +93,13 @@ impl SharpMeasure {
         }
         let sums = finite.sums(side.edge_lengths());
         let beside = anchored.beside_anchor();
-        let least = least(swept);
+        let least = continued.unwrap_or_else(|| least(swept));
         let continued = Way::BOTH.map(|way| {
-            if beside[way as usize].error <= RESOLVED {
+            if continued.is_none() && beside[way as usize].error <= RESOLVED {
                 return 0;
             }
             let sums = &sums[way as usize];
+            let least = agreed(&measures[way as usize], sums, least, swept.error_estimate());
             let ratio = || ratio(boundary, &anchored, (&*finite, sums), way, least);
             carry_on(&mut measures[way as usize], sums, least, ratio)
         });
@@ -119,9 +112,9 @@ impl SharpMeasure {
     }
 
     /// The same measure from the anchor at the fraction `s`, at the samples of `side`, other ones of the same curve.
-    pub fn resampled(&self, side: &PreparedSide, s: f64, finite: &mut HarmonicMeasure) {
+    pub fn resampled(&self, side: &PreparedSide, s: f64, continued: Option<f64>, finite: &mut HarmonicMeasure) {
         if let Some(boundary) = side.curve_boundary() {
-            Self::set(side, boundary, &self.swept, s, finite);
+            Self::set(side, (boundary, &self.swept), s, continued, finite);
         }
     }
 
@@ -188,52 +181,6 @@ impl SharpMeasure {
             (Way::Backward, knots) => self.backward[self.backward.len() - 2 - knots],
         }
     }
-}
-
-/// The measure from an anchor in a crowded part of the boundary below which finite elements continue.
-fn least(swept: &boundary_integral::HarmonicMeasure) -> f64 {
-    LEAST.max(LEAST_IN_FLOORS * swept.floor())
-}
-
-/// The ratio of the boundary integral's measure to the finite elements' over the stretch that both resolve.
-fn ratio(
-    boundary: &CurveBoundary,
-    anchored: &AnchoredMeasure<'_>,
-    (finite, sums): (&HarmonicMeasure, &[f64]),
-    way: Way,
-    least: f64,
-) -> f64 {
-    let point = |omega: f64| match way {
-        Way::Forward => anchored.point_at(omega),
-        Way::Backward => anchored.point_before(omega),
-    };
-    let at = |omega: f64| -> f64 {
-        let (j, lambda) = finite.place_of(boundary.sampled(point(omega)));
-        let share = finite.share(j, lambda);
-        let (knot, share) = if way == Way::Forward { (j, share) } else { (sums.len() - 2 - j, 1.0 - share) };
-        sums[knot] + (sums[knot + 1] - sums[knot]) * share
-    };
-    let [from, to] = COMPARED.map(|factor| (factor * least).min(0.5));
-    (to - from) / (at(to) - at(from))
-}
-
-/// Replaces measures below `least` at the knots after the anchor by the finite elements', times the ratio; returns
-/// how many. At most so much that the next knot's measure is not reached.
-fn carry_on(measure: &mut [f64], finite: &[f64], least: f64, ratio: impl FnOnce() -> f64) -> usize {
-    let small = measure[1..].partition_point(|&omega| omega < least);
-    // without a knot of its own measure there is nothing to continue: a knot may be the anchor itself
-    if small == 0 || finite[small] == 0.0 || small + 1 >= measure.len() {
-        return 0;
-    }
-    let (ratio, most) = (ratio(), measure[small + 1] / finite[small + 1]);
-    let ratio = if ratio > 0.0 && ratio < most { ratio } else { most };
-    if !(ratio.is_finite() && ratio > 0.0) {
-        return 0;
-    }
-    for (omega, finite) in measure[1..=small].iter_mut().zip(&finite[1..=small]) {
-        *omega = ratio * finite;
-    }
-    small
 }
 
 /// The point at the measure `omega` counted one way from the anchor, by interpolation between knots.

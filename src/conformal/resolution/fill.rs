@@ -1,7 +1,6 @@
 //! All vertices of the resolved boundary: those of both sides, and more in between.
 
 use super::grade;
-use super::law::Omega;
 use super::merge::{FINEST, Merged, nearest_lap};
 use super::rim::Rim;
 use crate::geometry::DVec2;
@@ -39,27 +38,27 @@ pub(super) fn filled(merged: &Merged, mapped: &Rim<'_>, other: &Rim<'_>) -> Fill
             let along = (at - on.1).rem_euclid(merged.length) / mapped.edge(on.0 as usize);
             BoundaryPoint::new(on.0, if own { 0.0 } else { along.clamp(0.0, 1.0 - f64::EPSILON) })
         };
-        let measure = |at: f64| mapped.at((at + merged.start).rem_euclid(merged.length));
+        let length = |at: f64| (at + merged.start).rem_euclid(merged.length);
+        let measure = |at: f64| mapped.before(length(at));
         filled.push(place(knot.at, knot.own.is_some()), image_at(knot.image), measure(knot.at), knot.is_cut);
         let next = knots.get(k + 1).map_or(knots[0].image + count as f64, |knot| knot.image);
         let mut before = knot.image;
         for &at in &added[k] {
-            let here = measure(at);
-            let image = other.point(other.length_of(here));
+            let image = other.point(other.length_of(mapped.at(length(at))));
             let passed = ((image.edge() as usize + count - merged.first) % count) as f64 + image.fraction();
             before = nearest_lap(passed, [before, next], count);
-            filled.push(place(at, false), image_at(before), here, false);
+            filled.push(place(at, false), image_at(before), measure(at), false);
         }
     }
     filled
 }
 
 impl Filled {
-    fn push(&mut self, place: BoundaryPoint, image: BoundaryPoint, measure: Omega, is_cut: bool) {
+    fn push(&mut self, place: BoundaryPoint, image: BoundaryPoint, measure: f64, is_cut: bool) {
         self.is_cut.push(is_cut);
         self.places.push(place);
         self.images.push(image);
-        self.measures.push(measure.forward());
+        self.measures.push(measure);
     }
 }
 

@@ -7,9 +7,11 @@ use crate::conformal::curved::{CurveBoundary, SharpMeasure};
 use crate::conformal::matching::inverse_quadratic;
 use crate::outline::BoundaryPoint;
 
-/// A harmonic measure from the anchor: of what lies before a point, or `late`, in the second half, of what remains.
+/// A harmonic measure from an anchor: of what lies before a point, or `late`, in the second half, of what remains.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Omega {
+    /// Which far anchor; `None` from the map's own.
+    pub far: Option<usize>,
     pub late: bool,
     pub value: f64,
 }
@@ -18,7 +20,7 @@ impl Omega {
     /// The measure with `before` before and `after` after a point.
     pub fn new(before: f64, after: f64) -> Self {
         let late = before > 0.5;
-        Self { late, value: if late { after } else { before } }
+        Self { far: None, late, value: if late { after } else { before } }
     }
 
     /// The measure before the point.

@@ -1,6 +1,7 @@
 //! The map on the refined mesh: the boundary map is the known one, the extension is new.
 
 use super::ResolvedBoundary;
+use crate::conformal::far_anchors::far_anchors;
 use crate::conformal::map_side::MapSide;
 use crate::conformal::{
     BoundaryCorrespondence, ConformalMap, Constraints, HarmonicMeasure, MapError, MapSettings, PerSide, PreparedSide,
@@ -28,6 +29,7 @@ impl ConformalMap {
         let kernel: Vec<f64> = boundary.places.iter().map(|&place| value_at(self.kernel(side), place)).collect();
         let measure = self.refined_measure(&boundary, &refined, &kernel);
         map.sides[side] = MapSide::with_measure(refined, side, &self.sides[side], kernel, measure)?;
+        map.far = far_anchors(PerSide::from_fn(|side| (&**map.side(side), map.measure(side))));
         let mapped = Arc::clone(map.side(side));
         self.set_images(&boundary, &mapped, &mut map.correspondence);
         map.settings = MapSettings { direction: self.settings.direction, ..settings };
@@ -50,7 +52,7 @@ impl ConformalMap {
         if let (Some(sharp), Some(fraction)) = (own.sharp(), fraction) {
             let mut measure = HarmonicMeasure::default();
             measure.set_along(refined.edge_lengths(), kernel, refined.at_fraction(fraction));
-            sharp.resampled(refined, fraction, &mut measure);
+            sharp.resampled(refined, fraction, None, &mut measure);
             return measure;
         }
         let anchor = refined.at_fraction(self.side(side).fraction_at(own.anchor()));

@@ -41,7 +41,7 @@ mod straightened;
 
 pub use refining::Refining;
 
-use super::{ConformalMap, MapError, PrepareError, PrepareSettings, PreparedSide, Stage};
+use super::{ConformalMap, MapError, PrepareError, PrepareSettings, PreparedSide, Side, Stage};
 use crate::geometry::DVec2;
 use crate::outline::{BoundaryPoint, BoundarySamples};
 use fill::{Filled, filled, outline};
@@ -74,7 +74,9 @@ impl ResolvedBoundary {
         let side = map.mapped_side();
         let [mapped, other] = [side, side.other()].map(|side| map.domain(side).map(|domain| domain.samples()));
         let (mapped, other) = (mapped?, other?);
-        let (a, b) = (Rim::new(mapped, map.measure(side))?, Rim::new(other, map.measure(side.other()))?);
+        let far = |side: Side| map.far.iter().map(move |far| (&far.measures[side], far.limit));
+        let a = Rim::new(mapped, map.measure(side), far(side))?;
+        let b = Rim::new(other, map.measure(side.other()), far(side.other()))?;
         let merged = Merged::new(&a, &b);
         let Filled { places, images, measures, is_cut } = filled(&merged, &a, &b);
         let outline = outline(&b, &images, &is_cut);

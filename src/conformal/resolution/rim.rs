@@ -5,12 +5,15 @@
 //! resolved alike. Places are lengths from the anchor: along the samples' polygon, or with a boundary integral along its
 //! curve, in stations ([`crate::conformal::CurveBoundary`]); the two sides of a map need not be of one kind.
 
+mod far;
+
 use super::corner::corners;
 use super::law::{CurveLaw, Interval, Law, Omega};
 use crate::conformal::HarmonicMeasure;
 use crate::conformal::curved::SharpMeasure;
 use crate::geometry::DVec2;
 use crate::outline::{BoundaryPoint, BoundarySamples};
+use far::FarPart;
 
 /// A part of the boundary that no edge is as long as.
 const BEHIND: f64 = 0.9;
@@ -29,11 +32,13 @@ pub(super) struct Rim<'a> {
     /// The part of the anchor's edge before it.
     anchor_share: f64,
     law: Law<'a>,
+    /// Parts that are far from both points.
+    far: Vec<FarPart<'a>>,
 }
 
 impl<'a> Rim<'a> {
-    /// The rim of a domain; `None` if the measure is not that of a kernel.
-    pub fn new(samples: &'a BoundarySamples, measure: &'a HarmonicMeasure) -> Option<Self> {
+    /// Without far anchors.
+    fn near(samples: &'a BoundarySamples, measure: &'a HarmonicMeasure) -> Option<Self> {
         if measure.density().len() != samples.len() + 2 {
             return None;
         }
@@ -63,7 +68,7 @@ impl<'a> Rim<'a> {
         let (anchor, law) = (measure.anchor(), Law::Curve(law));
         let anchor_share = law.anchor_share(anchor, edges[anchor.edge() as usize]);
         let (before, after) = (measure.at_knots().to_vec(), sharp.backward().to_vec());
-        Self { samples, measure, before, after, lengths, edges, anchor_share, law }
+        Self { samples, measure, before, after, lengths, edges, anchor_share, law, far: Vec::new() }
     }
 
     /// By finite elements.
@@ -93,7 +98,7 @@ impl<'a> Rim<'a> {
         before.iter_mut().chain(&mut after).for_each(|value| *value /= total);
         let (lengths, edges) = (sums(&|j| lengths[j]), samples.edge_lengths().to_vec());
         let anchor_share = measure.anchor().fraction();
-        Some(Self { samples, measure, before, after, lengths, edges, anchor_share, law })
+        Some(Self { samples, measure, before, after, lengths, edges, anchor_share, law, far: Vec::new() })
     }
 
     /// The extent of the domain.
@@ -143,13 +148,17 @@ impl<'a> Rim<'a> {
     /// The length between two lengths from the anchor without the intervals that have no measure.
     pub fn measured_length(&self, from: f64, to: f64) -> f64 {
         let (first, last) = (self.interval_at(from), self.interval_at(to));
-        let flat = (first..=last).filter(|&j| self.law.is_flat(self.interval(j)));
+        let flat = (first..=last).filter(|&j| self.is_flat(j));
         let covered = |j: usize| (self.lengths[j + 1].min(to) - self.lengths[j].max(from)).max(0.0);
         to - from - flat.map(covered).sum::<f64>()
     }
 
     /// The measure at a knot.
     pub fn at_knot(&self, knot: usize) -> Omega {
+        if let Some(k) = self.far_at(self.lengths[knot]) {
+            let far = &self.far[k].rim;
+            return Omega { far: Some(k), ..far.at_knot(far.measure.knot_of(self.measure.vertex_at(knot))) };
+        }
         Omega::new(self.before[knot], self.after[knot])
     }
 
@@ -165,11 +174,36 @@ impl<'a> Rim<'a> {
 
     /// The measure at the length `s` from the anchor.
     pub fn at(&self, s: f64) -> Omega {
+        if let Some(k) = self.far_at(s) {
+            let FarPart { rim, anchor, .. } = &self.far[k];
+            return Omega { far: Some(k), ..rim.at((s - anchor).rem_euclid(self.length())) };
+        }
+        self.near_at(s)
+    }
+
+    /// The measure before the length `s` from the map's own anchor.
+    pub fn before(&self, s: f64) -> f64 {
+        self.near_at(s).forward()
+    }
+
+    fn near_at(&self, s: f64) -> Omega {
         self.law.at(self.measure, self.interval(self.interval_at(s)), s)
     }
 
     /// The length from the anchor to where the measure is `omega`; where that is flat, to the end nearer to the anchor.
     pub fn length_of(&self, omega: Omega) -> f64 {
+        match omega.far.and_then(|k| self.far.get(k)) {
+            Some(far) => far.anchor + far.rim.length_from(Omega { far: None, ..omega }),
+            None => self.near_length_of(omega),
+        }
+    }
+
+    /// As [`Self::length_of`], but negative before the anchor.
+    fn length_from(&self, omega: Omega) -> f64 {
+        self.near_length_of(omega) - if omega.late { self.length() } else { 0.0 }
+    }
+
+    fn near_length_of(&self, omega: Omega) -> f64 {
         let reached = if omega.late {
             self.after.partition_point(|&after| after > omega.value)
         } else {

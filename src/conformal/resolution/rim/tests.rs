@@ -13,7 +13,7 @@ fn a_place_has_the_measure_that_led_to_it_on_both_halves() {
     let psi = [1e-12, 0.3, 1e-3, 0.2, 1e-9, 0.25, 1e-5, 0.1];
     for anchor in [BoundaryPoint::new(0, 0.0), BoundaryPoint::new(3, 0.25)] {
         let measure = HarmonicMeasure::new(&samples, &psi, anchor);
-        let rim = Rim::new(&samples, &measure).unwrap();
+        let rim = Rim::new(&samples, &measure, std::iter::empty()).unwrap();
         for k in 0..=800 {
             let s = f64::from(k) / 100.0;
             let again = rim.length_of(rim.at(s));
@@ -33,7 +33,7 @@ fn measures_of_1e_30_before_the_end_are_told_apart() {
     let samples = square();
     let psi = [1e-30, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 2e-30];
     let measure = HarmonicMeasure::new(&samples, &psi, BoundaryPoint::new(0, 0.0));
-    let rim = Rim::new(&samples, &measure).unwrap();
+    let rim = Rim::new(&samples, &measure, std::iter::empty()).unwrap();
     let places = [7.5, 7.9].map(|s| rim.length_of(rim.at(s)));
     assert!((places[0] - 7.5).abs() < 1e-12 && (places[1] - 7.9).abs() < 1e-12, "{places:?}");
 }
