@@ -89,10 +89,18 @@ fn map(arguments: &FormulaArguments, progress: &Progress) -> Result<ConformalMap
 /// Says on stderr which function has fewer digits than were asked for.
 fn warn(formula: &Formula, digits: u32) {
     let reached = formula.reached(digits);
-    for (name, reached) in [("f", reached.source), ("the inverse of f", reached.target)] {
+    let functions = [("f", reached.source, &formula.forward), ("the inverse of f", reached.target, &formula.inverse)];
+    for (name, reached, fit) in functions {
         if reached.digits < digits {
             let precision = if formula.is_single { " in single precision" } else { "" };
             eprintln!("riemap: {name}{precision} reaches {} of {digits} digits", reached.digits);
+            if fit.jump() > 0.0 {
+                let arithmetic = if formula.is_single { "single" } else { "double" };
+                eprintln!(
+                    "riemap: points whose images under {name} are {:.1e} apart are one point in {arithmetic} precision",
+                    fit.jump()
+                );
+            }
         }
         if !reached.is_boundary_exact {
             eprintln!("riemap: the boundary values of {name} may be off by {:.1e}", reached.boundary_error);

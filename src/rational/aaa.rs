@@ -1,18 +1,26 @@
 //! The AAA algorithm (Nakatsukasa, Sète and Trefethen, SIAM J. Sci. Comput. 40 (2018)) on test points and candidates.
 //!
-//! A step makes the candidate next to the worst test point a support point; the weights are the smallest right singular
-//! vector of the Loewner matrix (F_j − f_k)/(Z_j − z_k). Support points and test points are disjoint, so the matrix
-//! grows by a column a step and loses no row, and its QR factorization is extended, not remade. Rows whose value is
-//! known less well than the tolerance, because z is rounded where f is steep, count less in proportion.
+//! A step makes the candidates next to the worst test points support points: next to the worst one, and with rising
+//! degree next to further local maxima of the error. The weights are the smallest right singular vector of the Loewner
+//! matrix (F_j − f_k)/(Z_j − z_k). Support points and test points are disjoint, so the matrix grows by columns and
+//! loses no row, and its QR factorization is extended, not remade. Rows whose value is known less well than the
+//! tolerance, because z is rounded where f is steep, count less in proportion.
 
 use super::function::Rational;
 use super::least_squares::GrowingQr;
 use super::samples::{Role, Sample, Samples};
 use num_complex::Complex64;
 
-/// Steps without halving the error after which it will not fall: the maximum of a converging fit stands still for up to
-/// 15 steps while poles gather at another corner.
-const PATIENCE: usize = 30;
+/// Support points without halving the root of the mean square error, after which it will not fall. That of turkey → disk
+/// halves with every 48. (The largest error is no measure: on cinquefoil → disk it stands still from 35 to 65 support
+/// points, while poles gather in the notches.)
+const PATIENCE: usize = 60;
+
+/// A step adds one support point for so many that there are, besides the first: five notches want poles at once, and
+/// fewer steps take less time. The degree rises by about that share.
+const SUPPORTS_FOR_ONE: usize = 32;
+/// The share of the largest error from which a local maximum is a place of a further support point.
+const LARGE: f64 = 0.3;
 
 /// The least number of test points for each support point.
 const TESTS: usize = 3;
@@ -39,10 +47,8 @@ impl<'a> Aaa<'a> {
     /// A fit without support points to these samples. `tolerance` is absolute.
     pub fn new(samples: &'a Samples, tolerance: f64) -> Self {
         let points = samples.points.as_slice();
-        let before = |k: usize| (k + points.len() - 1) % points.len();
-        let uncertainty = |k: usize| samples.uncertainty(k).max(samples.uncertainty(before(k)));
         let tests: Vec<usize> = (0..points.len()).filter(|&k| points[k].role == Role::Test).collect();
-        let factors = tests.iter().map(|&k| tolerance / tolerance.max(uncertainty(k))).collect();
+        let factors = tests.iter().map(|&k| samples.factor(k, tolerance)).collect();
         let mean = tests.iter().map(|&k| points[k].value).sum::<Complex64>() / tests.len().max(1) as f64;
         let errors = tests.iter().map(|&k| (points[k].value - mean).norm()).collect();
         let is_used = points.iter().map(|point| point.role == Role::Test).collect();
@@ -50,26 +56,14 @@ impl<'a> Aaa<'a> {
         Self { points, tests, factors, is_used, supports, cauchy, qr, weights, errors }
     }
 
-    /// Makes these pairs support points, without test points among them.
-    pub fn with_supports(mut self, supports: &[[Complex64; 2]]) -> Self {
-        for (k, point) in self.points.iter().enumerate() {
-            self.is_used[k] |= supports.iter().any(|[z, _]| *z == point.z);
-        }
-        for &support in supports {
-            self.push(support);
-        }
-        self.solve();
-        self
-    }
-
     /// The largest error at a test point, times its factor.
     pub fn error(&self) -> f64 {
         self.errors.iter().copied().fold(0.0, f64::max)
     }
 
-    /// The support points with their values.
-    pub fn supports(&self) -> &[[Complex64; 2]] {
-        &self.supports
+    /// The root of the mean square of these errors.
+    fn mean_error(&self) -> f64 {
+        (self.errors.iter().map(|error| error * error).sum::<f64>() / self.errors.len().max(1) as f64).sqrt()
     }
 
     /// The fit.
@@ -83,20 +77,21 @@ impl<'a> Aaa<'a> {
     pub fn run(&mut self, goal: f64, most: usize, report: &mut dyn FnMut(f64) -> bool) -> bool {
         let most = most.min(self.tests.len() / TESTS);
         let mut best = (self.error(), self.supports.len(), self.weights.clone(), self.errors.clone());
-        let mut halved = (best.0, best.1);
+        let mut halved = (self.mean_error(), self.supports.len());
         while best.0 > goal && self.supports.len() < most && self.supports.len() <= halved.1 + PATIENCE {
             if !report(best.0) {
                 return false;
             }
-            if !self.step() {
+            if !self.step(most - self.supports.len()) {
                 break;
             }
             let error = self.error();
             if error < best.0 {
                 best = (error, self.supports.len(), self.weights.clone(), self.errors.clone());
             }
-            if error < 0.5 * halved.0 {
-                halved = (error, self.supports.len());
+            let mean = self.mean_error();
+            if mean < 0.5 * halved.0 {
+                halved = (mean, self.supports.len());
             }
         }
         (self.weights, self.errors) = (best.2, best.3);
@@ -106,15 +101,37 @@ impl<'a> Aaa<'a> {
         true
     }
 
-    /// Adds the candidate next to the worst test point; false if none is left.
-    fn step(&mut self) -> bool {
-        let worst = (0..self.tests.len()).max_by(|&a, &b| self.errors[a].total_cmp(&self.errors[b]));
-        let Some(candidate) = worst.and_then(|worst| self.nearest_candidate(self.tests[worst])) else { return false };
-        self.is_used[candidate] = true;
-        let Sample { z, value, .. } = self.points[candidate];
-        self.push([z, value]);
+    /// Adds the candidates next to the worst test points, at most so many; false if none is left.
+    fn step(&mut self, most: usize) -> bool {
+        let before = self.supports.len();
+        let count = (1 + before / SUPPORTS_FOR_ONE).min(most);
+        for test in self.worst(count) {
+            if let Some(candidate) = self.nearest_candidate(self.tests[test]) {
+                self.is_used[candidate] = true;
+                let Sample { z, value, .. } = self.points[candidate];
+                self.push([z, value]);
+            }
+        }
         self.solve();
-        true
+        self.supports.len() > before
+    }
+
+    /// The local maxima of the error, up to so many, the largest first.
+    fn worst(&self, count: usize) -> Vec<usize> {
+        let (errors, tests) = (&self.errors, self.errors.len());
+        let least = LARGE * self.error();
+        let is_maximum = |&k: &usize| {
+            let [before, after] = [errors[(k + tests - 1) % tests], errors[(k + 1) % tests]];
+            errors[k] >= least && errors[k] > before && errors[k] >= after
+        };
+        let mut maxima: Vec<usize> = (0..tests).filter(is_maximum).collect();
+        maxima.sort_by(|&a, &b| errors[b].total_cmp(&errors[a]));
+        maxima.truncate(count);
+        if maxima.is_empty() {
+            // an error that is the same everywhere
+            maxima.extend((0..tests).max_by(|&a, &b| errors[a].total_cmp(&errors[b])));
+        }
+        maxima
     }
 
     /// The unused candidate the fewest points away.

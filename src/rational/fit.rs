@@ -62,6 +62,7 @@ pub struct Fit {
     poles: Vec<Complex64>,
     error: f64,
     extent: f64,
+    jump: f64,
 }
 
 /// The fit was cancelled.
@@ -82,10 +83,10 @@ impl Fit {
     ) -> Result<Self, Cancelled> {
         let rounded = Rounded(boundary);
         let mut fitting = Fitting::new(if goal.precision == Precision::Single { &rounded } else { boundary }, goal);
-        let supports = fitting.converge(report)?;
-        let (function, poles) = fitting.without_bad_poles(supports, contains);
+        let function = fitting.converge(report)?;
+        let (function, poles) = fitting.without_bad_poles(function, contains);
         let error = fitting.measured(&function);
-        Ok(Self { function, poles, error, extent: fitting.extent() })
+        Ok(Self { function, poles, error, extent: fitting.extent(), jump: fitting.jump() })
     }
 
     /// r.
@@ -106,6 +107,12 @@ impl Fit {
     /// Half the larger side of the box around the values.
     pub fn extent(&self) -> f64 {
         self.extent
+    }
+
+    /// The largest distance between values at points that the arithmetic cannot tell apart, if that is visible: 0.6 % of
+    /// the extent or more. No function has an error below half of it. 0 if there is none.
+    pub fn jump(&self) -> f64 {
+        self.jump
     }
 
     /// The number of digits, relative to the extent.

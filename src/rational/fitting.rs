@@ -1,5 +1,4 @@
-//! The rounds of a fit: AAA on the samples, a check between them, more samples where the fit is wrong, and the removal of
-//! poles that lie inside or cancel with a zero.
+//! The rounds of a fit: AAA on the samples, a check between them, and more samples where the fit is wrong.
 
 use super::aaa::Aaa;
 use super::fit::{Cancelled, Goal, Precision};
@@ -9,33 +8,29 @@ use num_complex::Complex64;
 
 /// The share of the tolerance that AAA is to reach on the samples; the rest is for the points between them.
 const SHARE: f64 = 0.3;
+/// The share of the tolerance below which the points between need no further round.
+const ENOUGH: f64 = 0.7;
 /// Most rounds of adding samples; built-in pairs need 1 to 4.
-const ROUNDS: usize = 6;
+const ROUNDS: usize = 4;
 /// Points checked in each step between samples. Every other sample is a test point, so these are eight for each.
 const CHECKED: usize = 4;
 /// Points of the final check in each step: other ones, ten for each test point.
 const FINALLY_CHECKED: usize = 5;
 /// Samples added in a step where the fit is wrong.
 const ADDED: usize = 2;
-/// A pole whose residue, over its distance from the samples, is below this share of the tolerance has a zero next to it
-/// and no other effect.
-const NO_EFFECT: f64 = 1e-3;
-/// Rounds of removing poles one by one.
-const CLEANINGS: usize = 6;
-/// The share of the support points that is kept, again and again, where poles inside do not go otherwise.
-const KEPT: f64 = 0.85;
-
-/// Support points with their values.
-type Supports = Vec<[Complex64; 2]>;
+/// The error between the samples, in those at the samples, from which these are too few.
+const WRONG: f64 = 4.0;
+/// A round that does not bring the error below this share of the one before is the last.
+const IMPROVED: f64 = 0.5;
 
 /// A fit in the making.
 pub struct Fitting<'a> {
     boundary: &'a dyn Boundary,
-    samples: Samples,
+    pub(super) samples: Samples,
     /// Absolute.
-    tolerance: f64,
+    pub(super) tolerance: f64,
     most: usize,
-    precision: Precision,
+    pub(super) precision: Precision,
 }
 
 impl<'a> Fitting<'a> {
@@ -51,10 +46,17 @@ impl<'a> Fitting<'a> {
         self.samples.extents[1]
     }
 
-    /// The support points of the best round. Each begins anew: the support points of a round that was wrong between its
+    /// The largest distance between values at neighboring points that cannot be told apart; 0 if it is not longer than
+    /// any step.
+    pub fn jump(&self) -> f64 {
+        let jump = self.samples.largest_jump();
+        if jump > self.samples.longest_step() { jump } else { 0.0 }
+    }
+
+    /// The function of the best round. Each begins anew: the support points of a round that was wrong between its
     /// samples are those of poles with their own zeros.
-    pub fn converge(&mut self, report: &mut dyn FnMut(f64) -> bool) -> Result<Supports, Cancelled> {
-        let mut best: Option<(f64, Supports)> = None;
+    pub fn converge(&mut self, report: &mut dyn FnMut(f64) -> bool) -> Result<Rational, Cancelled> {
+        let mut best: Option<(f64, Rational)> = None;
         let decades = (self.extent() / self.tolerance).ln();
         for _ in 0..ROUNDS {
             let mut aaa = Aaa::new(&self.samples, self.tolerance);
@@ -65,14 +67,16 @@ impl<'a> Fitting<'a> {
             let (function, fitted) = (aaa.function(), aaa.error());
             let errors = self.errors(&function);
             let error = errors.iter().copied().fold(0.0, larger);
-            if best.as_ref().is_none_or(|(least, _)| error < *least) {
-                best = Some((error, aaa.supports().to_vec()));
+            let before = best.as_ref().map_or(f64::INFINITY, |(least, _)| *least);
+            if error < before {
+                best = Some((error, function));
             }
-            if !self.refine(&errors, fitted.max(SHARE * self.tolerance)) {
+            let is_fitted = error <= ENOUGH * self.tolerance || error < WRONG * fitted && error > IMPROVED * before;
+            if is_fitted || self.jump() > 0.0 || !self.refine(&errors, fitted.max(SHARE * self.tolerance)) {
                 break;
             }
         }
-        Ok(best.map(|(_, supports)| supports).unwrap_or_default())
+        Ok(best.map(|(_, function)| function).unwrap_or_default())
     }
 
     /// The largest error in each step between samples, in units in which rounding of z counts as the tolerance.
@@ -103,49 +107,9 @@ impl<'a> Fitting<'a> {
         checked.map(|point| error([point.z, point.value])).fold(0.0, larger)
     }
 
-    /// The function with these support points, less those next to poles inside or without effect, and its poles.
-    pub fn without_bad_poles(
-        &self,
-        mut supports: Supports,
-        contains: &dyn Fn(Complex64) -> bool,
-    ) -> (Rational, Vec<Complex64>) {
-        let mut round = 0;
-        loop {
-            let function = Aaa::new(&self.samples, self.tolerance).with_supports(&supports).function();
-            let function = if self.precision == Precision::Single { function.rounded() } else { function };
-            let poles = function.poles();
-            let inside: Vec<Complex64> = poles.iter().copied().filter(|&pole| contains(pole)).collect();
-            let mut bad = inside.clone();
-            if round < CLEANINGS {
-                bad.extend(poles.iter().filter(|&&pole| !contains(pole) && self.has_no_effect(&function, pole)));
-            }
-            if bad.is_empty() || supports.len() < 2 {
-                return (function, poles);
-            }
-            if round < CLEANINGS {
-                for pole in bad {
-                    remove_nearest(&mut supports, pole);
-                }
-            } else {
-                supports.truncate((KEPT * supports.len() as f64) as usize);
-            }
-            round += 1;
-        }
-    }
-
-    /// Whether a pole has a zero so near to it that no sample is moved.
-    fn has_no_effect(&self, function: &Rational, pole: Complex64) -> bool {
-        let distance = self.samples.points.iter().map(|point| (point.z - pole).norm()).fold(f64::INFINITY, f64::min);
-        function.residue(pole).norm() < NO_EFFECT * self.tolerance * distance
-    }
-}
-
-/// Removes the support point nearest to `pole`, unless it is the last one.
-fn remove_nearest(supports: &mut Supports, pole: Complex64) {
-    let distance = |k: usize| (supports[k][0] - pole).norm();
-    let nearest = (0..supports.len()).min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
-    if let Some(nearest) = nearest.filter(|_| supports.len() > 1) {
-        supports.remove(nearest);
+    /// The largest error on the samples and between them, in the units of [`Self::errors`].
+    pub(super) fn error(&self, function: &Rational) -> f64 {
+        self.errors(function).into_iter().fold(0.0, larger)
     }
 }
 

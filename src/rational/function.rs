@@ -16,7 +16,7 @@ pub(super) fn rounded(z: Complex64) -> Complex64 {
 /// r(z) = Σ w_k f_k/(z − z_k) / Σ w_k/(z − z_k), of type (n − 1, n − 1) for n support points z_k.
 ///
 /// At a support point r is the value f_k there, provided that w_k is not 0. Support points are distinct and finite.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Rational {
     support: Vec<Complex64>,
     values: Vec<Complex64>,
@@ -106,4 +106,34 @@ impl Rational {
         }
         numerator / slope
     }
+}
+
+/// The weights for which a function with these support points has these poles, fewer than there are support points.
+///
+/// w_k = Π_j (z_k − p_j)/Π_{i≠k} (z_k − z_i), the residues of Π_j (z − p_j)/Π_k (z − z_k), scaled to the largest one.
+pub(super) fn weights_of_poles(support: &[Complex64], poles: &[Complex64]) -> Vec<Complex64> {
+    debug_assert!(poles.len() < support.len().max(1), "fewer poles than support points");
+    let scaled: Vec<_> = (0..support.len()).map(|k| residue_of_ratio(support, k, poles)).collect();
+    let largest = scaled.iter().map(|(_, exponent)| *exponent).max().unwrap_or(0);
+    scaled.iter().map(|&(factor, exponent)| factor * f64::from(exponent - largest).exp2()).collect()
+}
+
+/// Π_j (z_k − p_j)/Π_{i≠k} (z_k − z_i) as a factor and an exponent of 2, which an f64 may not hold.
+fn residue_of_ratio(support: &[Complex64], k: usize, poles: &[Complex64]) -> (Complex64, i32) {
+    /// Products are rescaled beyond this exponent; a factor is far below 2^500.
+    const LARGE: i32 = 256;
+    let (mut product, mut exponent) = (Complex64::ONE, 0);
+    let others = support.iter().enumerate().filter(|&(i, _)| i != k).map(|(_, z)| (support[k] - z).inv());
+    let mut zeros = poles.iter().map(|pole| support[k] - pole);
+    for inverse in others {
+        product *= inverse * zeros.next().unwrap_or(Complex64::ONE);
+        let size = product.re.abs().max(product.im.abs());
+        for (is_beyond, power) in [(size > f64::from(LARGE).exp2(), LARGE), (size < f64::from(-LARGE).exp2(), -LARGE)] {
+            if is_beyond {
+                product *= f64::from(-power).exp2();
+                exponent += power;
+            }
+        }
+    }
+    (product, exponent)
 }

@@ -1,7 +1,7 @@
-//! The smallest right singular vector of a matrix that grows by columns.
+//! The smallest right singular vector of a matrix that grows by columns, and least squares with it.
 //!
-//! A thin QR factorization is extended by classical Gram–Schmidt with reorthogonalization, whose loss of orthogonality
-//! is that of Householder's (Giraud, Langou and Rozložník 2005); the vector comes from inverse iteration with Rᴴ R,
+//! A thin QR factorization is extended by modified Gram–Schmidt with reorthogonalization, whose loss of orthogonality
+//! is that of Householder's (Giraud, Langou and Rozložník 2005), and which reads each column once a round; the vector comes from inverse iteration with Rᴴ R,
 //! whose condition is that of the matrix, not of its square. O(m n) for a column, O(n²) for a vector.
 
 use num_complex::Complex64;
@@ -42,8 +42,8 @@ impl GrowingQr {
     pub fn push(&mut self, mut column: Vec<Complex64>) {
         let mut coefficients = vec![Complex64::ZERO; self.q.len()];
         for _ in 0..2 {
-            let parts: Vec<Complex64> = self.q.iter().map(|q| dot(q, &column)).collect();
-            for ((q, part), coefficient) in self.q.iter().zip(parts).zip(&mut coefficients) {
+            for (q, coefficient) in self.q.iter().zip(&mut coefficients) {
+                let part = dot(q, &column);
                 column.iter_mut().zip(q).for_each(|(value, q)| *value -= part * q);
                 *coefficient += part;
             }
@@ -83,6 +83,18 @@ impl GrowingQr {
                 break;
             }
         }
+        x
+    }
+
+    /// The x with the least |A x − b| for the last column b and the matrix A of the columns before it; a dependent column
+    /// counts as if its pivot were the least one.
+    pub fn least_squares(&self) -> Vec<Complex64> {
+        let Some((last, columns)) = self.r.split_last() else { return Vec::new() };
+        let largest = (0..columns.len()).map(|k| columns[k][k].re).fold(0.0, f64::max);
+        let least = (f64::EPSILON * largest).max(LEAST_PIVOT);
+        let pivots: Vec<f64> = (0..columns.len()).map(|k| columns[k][k].re.max(least)).collect();
+        let mut x = last[..columns.len()].to_vec();
+        self.solve(&pivots, &mut x);
         x
     }
 

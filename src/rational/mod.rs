@@ -2,13 +2,15 @@
 //!
 //! `aaa` is the AAA algorithm (Nakatsukasa, Sète and Trefethen 2018), on boundary pairs (z, f(z)) that `samples` clusters
 //! at the break points of both sides (Gopal and Trefethen, Numer. Math. 142 (2019)): corners of the source, and preimages of
-//! the target's. `fitting` adds pairs where the fit is wrong between them, and removes poles inside. `matched` makes the
-//! pairs of a [`crate::conformal::ConformalMap`]. The error is measured on ten times as many pairs; by the maximum
+//! the target's. `fitting` adds pairs where the fit is wrong between them, `bad_poles` removes poles inside. `matched` makes
+//! the pairs of a [`crate::conformal::ConformalMap`]. The error is measured on ten times as many pairs; by the maximum
 //! principle it holds inside too, since no pole lies there.
 
 mod aaa;
+mod bad_poles;
 mod fit;
 mod fitting;
+mod fixed_poles;
 mod formula;
 mod function;
 mod least_squares;

@@ -172,6 +172,25 @@ impl Samples {
         ROUNDINGS * self.epsilon * (slope * a.z.norm() + a.value.norm())
     }
 
+    /// The factor of the error at point `k` in a fit to this absolute tolerance: less than 1 where its value is known less
+    /// well.
+    pub fn factor(&self, k: usize, tolerance: f64) -> f64 {
+        let before = (k + self.points.len() - 1) % self.points.len();
+        tolerance / tolerance.max(self.uncertainty(k)).max(self.uncertainty(before))
+    }
+
+    /// The longest step of values where points can be told apart.
+    pub fn longest_step(&self) -> f64 {
+        LONGEST * self.extents[1]
+    }
+
+    /// The largest distance between the values of neighbors: more than [`Self::longest_step`] only where there is no point
+    /// between them whose z could be told apart from theirs.
+    pub fn largest_jump(&self) -> f64 {
+        let neighbors = self.points.iter().zip(self.points.iter().cycle().skip(1));
+        neighbors.map(|(a, b)| (a.value - b.value).norm()).fold(0.0, f64::max)
+    }
+
     /// Steps of z below this length cannot be told apart.
     fn least_step(&self) -> f64 {
         ROUNDING * self.epsilon * self.extents[0]

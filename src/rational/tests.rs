@@ -125,6 +125,27 @@ fn the_inverse_of_a_polynomial_map_is_fitted() {
     }
 }
 
+/// For given poles both ways give the function back, with the poles asked for, whatever the support points.
+#[test]
+fn a_function_with_given_poles_is_interpolated_and_fitted() {
+    let poles = [Complex64::new(1.2, 0.3), Complex64::new(-0.2, -1.1), Complex64::new(1.0, 1.0)];
+    let function = move |z: Complex64| poles.iter().map(|pole| (z - pole).inv()).sum::<Complex64>() + z;
+    let samples = samples::Samples::new(&circle(function), 1e-10, f64::EPSILON);
+    let support: Vec<Complex64> =
+        samples.points.iter().step_by(samples.points.len() / 7).map(|point| point.z).collect();
+    let by_values = fixed_poles::interpolated(&samples, support.clone(), &poles);
+    let by_squares = fixed_poles::fitted(&samples, 1e-10, support, &poles);
+    for found in [by_values, by_squares] {
+        let z = Complex64::new(0.3, -0.5);
+        let off = (found.at(z) - function(z)).norm();
+        assert!(off < 1e-12, "{off:e}");
+        for pole in poles {
+            let off = found.poles().iter().map(|found| (found - pole).norm()).fold(f64::INFINITY, f64::min);
+            assert!(off < 1e-11, "{pole}: {off:e}");
+        }
+    }
+}
+
 #[test]
 fn noise_leaves_no_pole_inside_and_an_error_that_is_said() {
     let noise = |z: Complex64| 1e-6 * (1e5 * z.re).sin();
