@@ -23,6 +23,8 @@ impl RiemapApp {
             max_side: self.pictures.gpu.as_ref().map_or(0, Gpu::max_texture_side),
             no_formula: self.model.refused_formula(),
         };
+        let session = self.model.session();
+        self.windows.exporter.compare_formula(PerSide::from_fn(|side| session.side(side)));
         self.windows.exporter.show(context, &around, actions);
     }
 
@@ -89,7 +91,12 @@ impl RiemapApp {
         let request = self.windows.exporter.request();
         match self.model.formula_task(request.formula, request.digits()) {
             Ok(task) => {
-                self.windows.exporter.begin_formula(task.clone());
+                if let Some(file) = self.windows.exporter.made_formula(&task) {
+                    return platform::save_file(&file.name, file.bytes, self.workers.mailbox.clone());
+                }
+                let session = self.model.session();
+                let sides = PerSide::from_fn(|side| session.side(side).clone());
+                self.windows.exporter.begin_formula(task.clone(), sides);
                 self.workers.formula_runner.begin(Study::Formula(Box::new(task)));
             }
             Err(reason) => self.windows.exporter.tell(Some(reason)),

@@ -4,10 +4,12 @@
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-/// The bytes of plain data. Types with fields that may be left out or are flattened have none, which a test of the type
-/// finds: they would be empty.
+/// The bytes of plain data. Types with fields that may be left out or are flattened have none: a test of the type stops
+/// there.
 pub fn packed(value: &impl Serialize) -> Vec<u8> {
-    postcard::to_allocvec(value).unwrap_or_default()
+    let bytes = postcard::to_allocvec(value);
+    debug_assert!(bytes.is_ok(), "a type that has no bytes: {bytes:?}");
+    bytes.unwrap_or_default()
 }
 
 /// What [`packed`] was given; `None` if the bytes are not of this type.

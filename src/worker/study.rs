@@ -167,6 +167,27 @@ mod tests {
         assert_eq!(unpacked::<Finding>(b"no finding"), None);
     }
 
+    /// All that is sent about the map, whose types other modules own.
+    #[test]
+    fn formulas_and_invariants_survive_as_bytes() {
+        let session = crate::session::Session::default();
+        let task = FormulaTask::new(&session, crate::export::FormulaFormat::Glsl, 3).unwrap();
+        let studies = [
+            Study::Formula(Box::new(task)),
+            Study::Convergence { m: 50 },
+            Study::Ladder { rung: Rung { shape: LadderShape::Disk, method: LadderMethod::Zipper, resolution: 50 } },
+        ];
+        for study in &studies {
+            assert_eq!(unpacked::<Study>(&packed(study)).as_ref(), Some(study));
+            let finding = ran(study);
+            assert!(!matches!(finding, Finding::Failed(_)), "{finding:?}");
+            assert_eq!(unpacked::<Finding>(&packed(&finding)), Some(finding));
+        }
+        for finding in [Finding::Progress(0.25), Finding::Failed(key::no_map().into())] {
+            assert_eq!(unpacked::<Finding>(&packed(&finding)), Some(finding));
+        }
+    }
+
     #[test]
     fn a_row_that_is_not_there_is_refused() {
         let row = BenchRow::Frame { index: 99, setting: BenchSetting::Default };

@@ -728,11 +728,12 @@ formula_tooltip = Die Abbildung und ihre Umkehrung als rationale Funktionen, ang
 format = Format
 digits = Stellen
 digits_tooltip = Bezogen auf die halbe größere Seite des Rechtecks um die Werte. GLSL hat höchstens 5: einfache Genauigkeit
-inverse_of_f = Umkehrung von f
+inverse_of_f = die Umkehrung von f
+formula_of_earlier_map = Dies ist die Formel einer früheren Abbildung: erneut speichern für die gezeigte
 formula_function = { $name }: Grad { $degree }; Pole: { $poles }, keiner innen; größter Fehler: { $error }; Stellen: { $digits }
 formula_reaches = { $name } erreicht { $digits } von { $asked } Stellen
 formula_left_out = { $name } fehlt: Es fand sich keine rationale Funktion, die auch nur eine Stelle hat
-formula_boundary_values = Die Randwerte von { $name } können um { $error } falsch sein
+formula_boundary_values = Randwerte ({ $name }): um bis zu { $error } falsch
 
 ## words
 

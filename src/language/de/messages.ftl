@@ -378,7 +378,7 @@ integral_not_inside = ({ $x }, { $y }) liegt nicht im Umriss
 
 ## rational
 
-formula_of_surface = eine Fläche ({ $side }) hat keine Formel: Sie verbindet zwei Umrisse
+formula_of_surface = eine Fläche ({ $side }) hat keine Formel: Eine Formel gibt es nur zwischen zwei Umrissen
 formula_finite_elements = keine genauen Randwerte ({ $side }): { $reason }
 formula_no_integral = keine genauen Randwerte ({ $side }): Das Randintegral wurde nicht berechnet
 formula_no_digit = keine rationale Funktion bis zum Grad { $degree } hat auch nur eine Stelle: Der Fehler der Abbildung ist { $forward }, der ihrer Umkehrung { $inverse }

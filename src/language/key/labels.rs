@@ -147,7 +147,7 @@ keys_of_labels! {
     animated_png, png_tooltip, animated_png_tooltip, gif_tooltip, svg_tooltip, disks_svg_tooltip, csv_tooltip, obj_tooltip, png, gif,
     svg, csv, obj, ply, glb, formula, formula_tooltip,
     // formula
-    format, digits, digits_tooltip, inverse_of_f,
+    format, digits, digits_tooltip, inverse_of_f, formula_of_earlier_map,
     // words
     cauchy_green_gpu, cauchy_green_cpu, pending, pending_tooltip, size_tooltip, quality_tooltip, flipped_tooltip,
     frame_tooltip, source, target, stage_sample, stage_assemble, stage_order, stage_table, waiting_worker,

@@ -1,6 +1,6 @@
 //! The map as a formula: the request to the worker that computes it.
 
-use crate::conformal::Side;
+use crate::conformal::{Side, Unsharpened};
 use crate::export::FormulaFormat;
 use crate::language::Message;
 use crate::model::Model;
@@ -17,7 +17,9 @@ impl Model {
                 return Some(Message::from(&FormulaError::Surface { side }));
             }
             let reason = self.prepared(side)?.unsharpened()?;
-            Some(Message::from(&FormulaError::FiniteElements { side, reason: Box::new(reason.clone()) }))
+            // the worker does not take the session's samples
+            let is_of_curve = matches!(reason, Unsharpened::Curve(_) | Unsharpened::Integral(_));
+            is_of_curve.then(|| Message::from(&FormulaError::FiniteElements { side, reason: Box::new(reason.clone()) }))
         })
     }
 

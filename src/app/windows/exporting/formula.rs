@@ -7,6 +7,7 @@ use crate::export::FormulaFormat;
 use crate::language::{Message, key, say, tr};
 use crate::model::export::ReadyFile;
 use crate::rational::Reached;
+use crate::session::SideState;
 use crate::worker::{Finding, FormulaTask};
 use egui::{DragValue, RichText, Ui};
 
@@ -18,46 +19,69 @@ pub(super) enum FormulaWork {
     None,
     /// The worker is at it.
     Running {
-        task: Box<FormulaTask>,
+        asked: Box<Asked>,
         /// The share that is done.
         done: f64,
     },
     /// The file was made.
     Made {
-        name: String,
-        /// The number of digits that were asked for.
-        digits: u32,
+        asked: Box<Asked>,
+        file: ReadyFile,
         reached: PerSide<Reached>,
+        /// Whether the map is still the one that was asked for.
+        is_current: bool,
     },
 }
 
+/// A task with the outlines and points that it is for.
+#[derive(Debug)]
+pub(super) struct Asked {
+    task: FormulaTask,
+    sides: PerSide<SideState>,
+}
+
 impl Exporter {
-    /// Waits for the findings about `task`.
-    pub fn begin_formula(&mut self, task: FormulaTask) {
+    /// Waits for the findings about `task`, which is for these outlines and points.
+    pub fn begin_formula(&mut self, task: FormulaTask, sides: PerSide<SideState>) {
         self.tell(None);
-        self.formula = FormulaWork::Running { task: Box::new(task), done: 0.0 };
+        self.formula = FormulaWork::Running { asked: Box::new(Asked { task, sides }), done: 0.0 };
+    }
+
+    /// Compares the formula that was made with the outlines and points that are shown.
+    pub fn compare_formula(&mut self, sides: PerSide<&SideState>) {
+        if let FormulaWork::Made { asked, is_current, .. } = &mut self.formula {
+            *is_current = asked.sides.as_ref() == sides;
+        }
+    }
+
+    /// The file that was made, if it is that of `task`: a dialog that was closed costs no second computation.
+    pub fn made_formula(&self, task: &FormulaTask) -> Option<ReadyFile> {
+        match &self.formula {
+            FormulaWork::Made { asked, file, .. } if asked.task == *task => Some(file.clone()),
+            _ => None,
+        }
     }
 
     /// Takes a finding about `task`; returns the file once complete. Findings about another task than the one that is
     /// running are dropped.
     pub fn accept_formula(&mut self, task: &FormulaTask, finding: Finding) -> Option<ReadyFile> {
-        let FormulaWork::Running { task: running, done } = &mut self.formula else { return None };
-        if **running != *task {
+        let FormulaWork::Running { asked, done } = &mut self.formula else { return None };
+        if asked.task != *task {
             return None;
         }
         if let Finding::Progress(share) = finding {
             *done = share;
             return None;
         }
-        self.formula = FormulaWork::None;
-        match finding {
-            Finding::Formula(found) => {
+        match (std::mem::take(&mut self.formula), finding) {
+            (FormulaWork::Running { asked, .. }, Finding::Formula(found)) => {
                 let name = format!("riemap_formula.{}", task.format().extension());
-                let (digits, reached) = (task.digits(), found.reached);
-                self.formula = FormulaWork::Made { name: name.clone(), digits, reached };
-                return Some(ReadyFile { name, bytes: found.text.into_bytes() });
+                let file = ReadyFile { name, bytes: found.text.into_bytes() };
+                let made = FormulaWork::Made { asked, file: file.clone(), reached: found.reached, is_current: true };
+                self.formula = made;
+                return Some(file);
             }
-            Finding::Failed(reason) => self.tell(Some(reason)),
+            (_, Finding::Failed(reason)) => self.tell(Some(reason)),
             _ => self.tell(Some(key::another_answer().into())),
         }
         None
@@ -70,13 +94,17 @@ impl Exporter {
 
     /// What the formula that was computed last reached, with the warnings marked; nothing while the window is closed.
     pub fn formula_notes(&self) -> Vec<(Message, bool)> {
-        let FormulaWork::Made { name, digits, reached } = &self.formula else { return Vec::new() };
+        let FormulaWork::Made { asked, file, reached, is_current } = &self.formula else { return Vec::new() };
         if self.places().is_none() {
             return Vec::new();
         }
-        let mut all = vec![(Message::from(name.as_str()), false)];
-        notes(Message::from("f"), reached.source, *digits, &mut all);
-        notes(key::inverse_of_f().into(), reached.target, *digits, &mut all);
+        let digits = asked.task.digits();
+        let mut all = vec![(Message::from(file.name.as_str()), false)];
+        if !is_current {
+            all.push((key::formula_of_earlier_map().into(), true));
+        }
+        notes(Message::from("f"), reached.source, digits, &mut all);
+        notes(key::inverse_of_f().into(), reached.target, digits, &mut all);
         all
     }
 

@@ -223,8 +223,9 @@ fn found(source: u32, target: u32) -> Finding {
 fn a_finished_formula_is_a_file_and_the_window_says_what_it_reached() {
     let mut harness = formula_window();
     let task = harness.state().model.formula_task(FormulaFormat::Python, 8).unwrap();
+    let sides = PerSide::from_fn(|side| harness.state().model.session().side(side).clone());
     let exporter = &mut harness.state_mut().windows.exporter;
-    exporter.begin_formula(task.clone());
+    exporter.begin_formula(task.clone(), sides.clone());
     assert!(exporter.is_busy() && !exporter.is_drawing());
     let other = FormulaTask::new(&prepared_model().session().clone(), FormulaFormat::Glsl, 5).unwrap();
     assert!(exporter.accept_formula(&other, found(8, 8)).is_none(), "a finding about another task");
@@ -240,14 +241,23 @@ fn a_finished_formula_is_a_file_and_the_window_says_what_it_reached() {
         "f: degree 12; poles: 11, none inside; largest error: 3.2e-7; digits: 6",
         "f reaches 6 of 8 digits",
         "The boundary values of f may be off by 1.0e-5",
-        "inverse of f is left out: no rational function was found that has one digit",
+        "the inverse of f is left out: no rational function was found that has one digit",
     ];
     assert_eq!(harness.state().stats().screen.windows.formula.reached, expected);
     for text in expected {
         assert!(harness.query_by_label(text).is_some(), "{text}");
     }
+    assert_eq!(harness.state().windows.exporter.made_formula(&task), Some(file));
+    let context = harness.ctx.clone();
+    let moved = Command::MoveAnchor { side: Side::Source, fraction: 0.3 };
+    harness.state_mut().carry_out(&context, vec![Action::Session(moved)]);
+    harness.run_steps(2);
+    let earlier = "This is the formula of an earlier map: save again for the one that is shown";
+    assert_eq!(harness.state().stats().screen.windows.formula.reached[1], earlier);
+    let task = FormulaTask::new(harness.state().model.session(), FormulaFormat::Python, 8).unwrap();
     let exporter = &mut harness.state_mut().windows.exporter;
-    exporter.begin_formula(task.clone());
+    assert_eq!(exporter.made_formula(&task), None);
+    exporter.begin_formula(task.clone(), sides);
     assert!(exporter.accept_formula(&task, Finding::Failed(key::no_map().into())).is_none() && !exporter.is_busy());
     assert_eq!(exporter.errors().count(), 1);
 }

@@ -6,7 +6,7 @@ use crate::app::theme::widgets::{close_button, message_box};
 use crate::app::theme::{Palette, ROW_HEIGHT, control_height};
 use crate::app::windows::exporting::formula::FormulaWork;
 use crate::app::windows::exporting::progress::progress_bar;
-use crate::language::{Message, key, tr};
+use crate::language::{Message, key, say, tr};
 use crate::model::Abilities;
 use crate::model::export::request::{ExportRequest, Kind};
 use crate::model::export::{FileRequest, ReadyFile};
@@ -213,11 +213,11 @@ impl Exporter {
                 return;
             }
             let Kind::Film(format) = self.request.kind else {
-                return self.save(ui, self.can_save(around), height, actions);
+                return self.save(ui, (self.can_save(around), around), height, actions);
             };
             let moves = around.abilities.refused_path(self.request.path).is_none();
             let can_be = self.request.film(format).check().is_ok() && moves;
-            self.save(ui, around.map != MapState::Preparing && can_be, height, actions);
+            self.save(ui, (around.map != MapState::Preparing && can_be, around), height, actions);
         });
     }
 
@@ -230,12 +230,13 @@ impl Exporter {
         }
     }
 
-    fn save(&mut self, ui: &mut Ui, enabled: bool, height: f32, actions: &mut Actions) {
+    fn save(&mut self, ui: &mut Ui, (enabled, around): (bool, &Surroundings), height: f32, actions: &mut Actions) {
         let palette = Palette::of(ui.visuals());
         let label = RichText::new(tr(key::save())).color(palette.on_accent);
         let button = Button::new(label).fill(palette.accent).min_size(vec2(120.0, height));
         let response = ui.add_enabled(enabled, button);
-        let response = response.on_disabled_hover_text(tr(key::swap_waits()));
+        let waits = around.no_formula.as_ref().filter(|_| self.request.kind == Kind::Formula);
+        let response = response.on_disabled_hover_text(waits.map_or_else(|| tr(key::swap_waits()).to_owned(), say));
         self.note(key::save().english(), &response);
         if response.clicked() {
             actions.push(Action::Export(ExportAction::Save));
