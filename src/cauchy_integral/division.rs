@@ -7,7 +7,7 @@
 use super::panel::{End, Panel, Sampled, Stretch};
 use super::rule::NODES;
 use super::{BoundaryFunction, CauchyIntegral, Complex};
-use crate::geometry::{Curve, CurvePoint};
+use crate::geometry::{Curve, CurvePoint, sort_by_number};
 
 /// The most panels. Presets need 200 to 1,500.
 const MOST_PANELS: usize = 16_384;
@@ -186,7 +186,8 @@ fn stretches(piece: usize, breaks: &[CurvePoint]) -> Vec<Stretch> {
     if !inner.iter().any(|point| (low..=high).contains(&point.from_start())) {
         inner.push(CurvePoint::new(piece, 0.5));
     }
-    inner.sort_by(|a, b| a.from_start().total_cmp(&b.from_start()).then(b.to_end().total_cmp(&a.to_end())));
+    sort_by_number(&mut inner, |point| -point.to_end());
+    sort_by_number(&mut inner, CurvePoint::from_start);
     inner.dedup_by(|a, b| a.from_start() == b.from_start() && a.to_end() == b.to_end());
     let ends = [CurvePoint::new(piece, 0.0), CurvePoint::before_end(piece, 0.0)];
     let cuts: Vec<CurvePoint> = ends[..1].iter().chain(&inner).chain(&ends[1..]).copied().collect();

@@ -193,7 +193,11 @@ fn for_pieces(corners: &Corners, n: usize, emit: &mut dyn FnMut(&Corners)) {
 /// point of a shared edge is bit-identical in both triangles.
 fn blend(corners: &Corners, weights: [usize; 3], n: usize) -> (DVec2, DVec2) {
     let mut order = [0, 1, 2];
-    order.sort_by(|&i, &j| compare(corners[i].1, corners[j].1));
+    for k in [0, 1, 0] {
+        if compare(corners[order[k + 1]].1, corners[order[k]].1).is_lt() {
+            order.swap(k, k + 1);
+        }
+    }
     let sum = |of: &dyn Fn(usize) -> DVec2| {
         let weighted = order.iter().filter(|&&i| weights[i] > 0).map(|&i| weights[i] as f64 * of(i));
         weighted.fold(DVec2::ZERO, |sum, term| sum + term) / n as f64

@@ -9,6 +9,7 @@ use glam::DVec2;
 
 use super::PolygonError;
 use super::predicates::{Side, side};
+use super::sorting::sort_by_number;
 use super::sweep::check_simple;
 
 /// The largest number of points that an outline may have.
@@ -77,9 +78,10 @@ fn check_range(points: &[DVec2]) -> Result<(), PolygonError> {
 
 /// Point indices sorted by x, then y, then index.
 fn lexicographic_order(points: &[DVec2]) -> Vec<u32> {
-    let mut keyed: Vec<(DVec2, u32)> = points.iter().copied().zip(0..).collect();
-    keyed.sort_unstable_by(|(p, i), (q, j)| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(i.cmp(j)));
-    keyed.into_iter().map(|(_, k)| k).collect()
+    let mut order: Vec<u32> = (0..points.len() as u32).collect();
+    sort_by_number(&mut order, |&k| points[k as usize].y);
+    sort_by_number(&mut order, |&k| points[k as usize].x);
+    order
 }
 
 fn check_distinct(points: &[DVec2], order: &[u32]) -> Result<(), PolygonError> {

@@ -1,6 +1,6 @@
 //! Why a boundary could not be meshed, and where.
 
-use crate::geometry::{DVec2, orientation};
+use crate::geometry::{DVec2, orientation, sort_by_number};
 
 /// Why a boundary could not be meshed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize, serde::Deserialize)]
@@ -85,7 +85,8 @@ impl MeshError {
     /// The error for two boundary points that coincide: finds them.
     pub(super) fn of_repeated_point(boundary: &[DVec2]) -> Self {
         let mut sorted = boundary.to_vec();
-        sorted.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+        sort_by_number(&mut sorted, |point| point.y);
+        sort_by_number(&mut sorted, |point| point.x);
         let place = sorted.windows(2).find(|w| w[0] == w[1]).map_or(boundary[0], |w| w[0]);
         Self::RepeatedPoint { x: place.x, y: place.y }
     }

@@ -16,7 +16,7 @@ use super::ears::split_ears;
 use super::hex_lattice::{HexLattice, bounds};
 use super::triangulate::{Input, Output, triangulate};
 use super::{MeshError, TriMesh, graded};
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, sort_by_number};
 
 /// The largest number of interior vertices that [`mesh_domain`] makes: such a mesh
 /// takes about 0.5 GB with its factor, which a browser tab can still allocate.
@@ -208,10 +208,8 @@ fn merge_rows(lattice: &HexLattice, points: &[DVec2], added: &[DVec2]) -> Vec<u3
     let key = |p: DVec2| (lattice.row_of(p), p.x);
     let before = |a: DVec2, b: DVec2| key(a).0.cmp(&key(b).0).then(key(a).1.total_cmp(&key(b).1)).is_lt();
     let mut late: Vec<u32> = (0..added.len() as u32).collect();
-    late.sort_unstable_by(|&i, &j| {
-        let (a, b) = (key(added[i as usize]), key(added[j as usize]));
-        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(i.cmp(&j))
-    });
+    sort_by_number(&mut late, |&j| added[j as usize].x);
+    sort_by_number(&mut late, |&j| f64::from(lattice.row_of(added[j as usize])));
     let mut late = late.into_iter().peekable();
     let mut order = Vec::with_capacity(points.len() + added.len());
     for (k, &p) in points.iter().enumerate() {

@@ -9,6 +9,7 @@
 use super::function::Rational;
 use super::least_squares::GrowingQr;
 use super::samples::{Role, Sample, Samples};
+use crate::geometry::sort_by_number;
 use num_complex::Complex64;
 
 /// Support points without halving the root of the mean square error, after which it will not fall. That of turkey → disk
@@ -125,7 +126,7 @@ impl<'a> Aaa<'a> {
             errors[k] >= least && errors[k] > before && errors[k] >= after
         };
         let mut maxima: Vec<usize> = (0..tests).filter(is_maximum).collect();
-        maxima.sort_by(|&a, &b| errors[b].total_cmp(&errors[a]));
+        sort_by_number(&mut maxima, |&k| -errors[k]);
         maxima.truncate(count);
         if maxima.is_empty() {
             // an error that is the same everywhere

@@ -227,7 +227,7 @@ impl Connectivity {
     pub(super) fn check_disk(&self, surface: &Surface) -> Result<(), TopologyError> {
         if self.sizes.len() > 1 {
             let mut triangles = self.sizes.clone();
-            triangles.sort_unstable_by(|a, b| b.cmp(a));
+            sort_by_number(&mut triangles, |&count| -(count as f64));
             return Err(TopologyError::Components { triangles });
         }
         let mut used = vec![false; surface.vertices.len()];

@@ -2,6 +2,7 @@
 
 use crate::closed_form::ExactMap;
 use crate::conformal::{Constraints, PerSide};
+use crate::geometry::sort_by_number;
 use crate::model::curves::{Curve, Curves};
 use crate::outline::Preset;
 
@@ -80,7 +81,8 @@ impl KeptExact {
 
 /// A curve through points of a non-decreasing function with rounding errors.
 fn curve(mut points: Vec<[f64; 2]>) -> Curve {
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    sort_by_number(&mut points, |point| point[1]);
+    sort_by_number(&mut points, |point| point[0]);
     let mut highest = 0.0_f64;
     for [_, y] in &mut points {
         highest = highest.max(*y);
