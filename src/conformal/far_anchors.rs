@@ -5,8 +5,8 @@
 //! with both points at their outer ends), the constraints, rounded to f64, do not determine how the two parts
 //! correspond. Of the maps that do not differ by more than the error of the measures, the one is taken that maps the
 //! places of least density onto each other. From there measure is counted anew, both ways; values below
-//! [`FarAnchor::limit`] are those of both parts. Within such a part others may be as far from the new anchors; the search
-//! goes on there.
+//! [`FarAnchor::limit`] are those of both parts, each by the nearest anchor. Within such a part others may be as far from
+//! the new anchors; with finite elements the search goes on there, while the boundary integral leaves noise.
 //!
 //! The order along the boundary is kept up to the error of the measures where the parts end. Cost O(m) where there are
 //! none, as nearly always, and O(m + panels) for each.
@@ -46,6 +46,9 @@ const LIMIT_IN_DIFFERENCES: f64 = 30.0;
 /// part, next to which it has few digits.
 const LIMIT_IN_PARTS: f64 = 3.0;
 
+/// The largest limit, in measures between the far anchor and the next one: nearer to that one, its own are better.
+const MOST_LIMIT: f64 = 0.1;
+
 /// The density, in those of the next vertices, of vertices to which finite elements give none: those next to a sharp
 /// corner whose triangles have no interior vertex.
 const EMPTY: f64 = 1e-2;
@@ -63,6 +66,21 @@ pub(super) struct FarAnchor {
 }
 
 impl FarAnchor {
+    /// The same anchors on other samples of one side, which are at these places of the present ones, with their measure;
+    /// `None` if the anchor is not among them.
+    pub fn on_other_samples(
+        &self,
+        side: Side,
+        samples: (&PreparedSide, &HarmonicMeasure),
+        places: &[BoundaryPoint],
+    ) -> Option<Self> {
+        let anchor = self.measures[side].anchor();
+        let knot = samples.1.knot_of(places.iter().position(|&place| place == anchor)?);
+        let mut measures = self.measures.clone();
+        measures[side] = from_knot(samples, knot, self.limit);
+        Some(Self { measures, limit: self.limit })
+    }
+
     /// Whether finite elements give a vertex's measure.
     pub fn is_continued(&self, side: Side, vertex: usize) -> bool {
         let measure = &self.measures[side];
@@ -90,7 +108,7 @@ fn search(sides: &PerSide<(&PreparedSide, &HarmonicMeasure)>, within: f64, depth
         }
         let measures = PerSide::from_fn(|side| from_knot(sides[side], pair.knots[side], pair.limit));
         let limit = measures.iter().map(|(_, measure)| continued(measure)).fold(pair.limit, f64::max);
-        if limit < pair.omega {
+        if limit < MOST_LIMIT * pair.omega {
             let inner = PerSide::from_fn(|side: Side| (sides[side].0, &measures[side]));
             search(&inner, limit, depth - 1, found);
             found.push(FarAnchor { measures, limit });
@@ -162,6 +180,7 @@ fn far_parts((side, measure): (&PreparedSide, &HarmonicMeasure)) -> Vec<FarPart>
         let (from, to) = measure.span(j);
         lengths[measure.vertex_at(j)] * (to - from)
     };
+    let [forward, backward] = measure.sums(lengths);
     let step = |j: usize| 0.5 * length(j) * (density[j] + density[j + 1]);
     let total: f64 = (0..=m).map(step).sum();
     let perimeter: f64 = lengths.iter().sum();
@@ -170,11 +189,11 @@ fn far_parts((side, measure): (&PreparedSide, &HarmonicMeasure)) -> Vec<FarPart>
         backward.is_some_and(|ahead| ahead[j] == ahead[j + 1] && measure.at_knots()[j] == measure.at_knots()[j + 1])
     };
     let mut parts = Vec::new();
-    let (mut sum, mut along) = (0.0, 0.0);
+    let mut along = 0.0;
     let mut part = None::<FarPart>;
     for j in 0..=m {
-        sum += step(j);
-        if j > 0 && j < m && (step(j) <= FAR * sum.min(total - sum) || is_empty(j)) {
+        let nearer = forward[j + 1].min(backward[m + 1 - j]);
+        if j > 0 && j < m && (step(j) <= FAR * total * nearer || is_empty(j)) {
             along += length(j);
             let FarPart { knot, measure, .. } = part.unwrap_or(FarPart { knot: j, measure: 0.0, is_long: false });
             // the end of the last interval too, where a corner may be

@@ -66,7 +66,7 @@ pub struct ConformalMap {
     pub(super) resolution: Option<Arc<ResolvedBoundary>>,
     /// The errors by comparison with finer meshes, if they were estimated.
     pub(super) compared: Option<Box<Differences>>,
-    /// Where both boundaries are far from both points.
+    /// Where both boundaries are far from both points, if both measures are from the boundary integral.
     pub(super) far: Vec<FarAnchor>,
 }
 

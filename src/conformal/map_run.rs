@@ -117,8 +117,10 @@ impl ConformalMap {
             (&**prepared, measured.coming_measure(run.changes[side].renewal()))
         });
         match_measures(measures[side].1, measures[side.other()].1, &mut self.coming);
-        run.far = far_anchors(measures);
-        self.coming.match_far(&run.far, side);
+        if measures.iter().all(|(_, (_, measure))| measure.is_sharp()) {
+            run.far = far_anchors(measures);
+            self.coming.match_far(&run.far, side);
+        }
         run.timings.matching += start.elapsed().as_secs_f64() * 1e3;
     }
 

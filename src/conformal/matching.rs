@@ -2,7 +2,8 @@
 //!
 //! For every vertex k of the mapped boundary, the point of the other boundary
 //! with the same harmonic measure. One pass, O(m + m'). The correspondence keeps
-//! the cyclic order (weakly: where ω is flat in f64, points coincide).
+//! the cyclic order (weakly: where ω is flat in f64, points coincide). With far anchors another pass for each, and the
+//! order up to the errors of the measures where their parts end.
 
 use super::curved::{CurveMeasure, match_sharply, nearer};
 use super::far_anchors::FarAnchor;
@@ -56,14 +57,18 @@ impl BoundaryCorrespondence {
     /// Matches anew where both boundaries are far from both points, if the target's measure is from the boundary
     /// integral: one by finite elements is known in one direction only.
     pub(super) fn match_far(&mut self, far: &[FarAnchor], mapped: Side) {
-        for FarAnchor { measures, limit } in far.iter().rev() {
+        let mut nearest = vec![f64::INFINITY; if far.is_empty() { 0 } else { self.points.len() }];
+        for FarAnchor { measures, limit } in far {
             let (source, target) = (&measures[mapped], &measures[mapped.other()]);
             let Some(target) = CurveMeasure::new(target) else { continue };
             let mut matched = Self::default();
             match_sharply(source, &target, &mut matched);
-            for knot in (1..=source.vertex_count()).filter(|&knot| nearer(source, knot).0 < *limit) {
-                let k = source.vertex_at(knot);
-                (self.points[k], self.exact[k]) = (matched.points[k], matched.exact[k]);
+            for knot in 1..=source.vertex_count() {
+                let (k, omega) = (source.vertex_at(knot), nearer(source, knot).0);
+                if omega < limit.min(nearest[k]) {
+                    nearest[k] = omega;
+                    (self.points[k], self.exact[k]) = (matched.points[k], matched.exact[k]);
+                }
             }
         }
     }

@@ -37,8 +37,8 @@ mod distortion;
 mod domain;
 mod exact_images;
 mod extension;
-#[cfg(feature = "io")]
 mod far_anchors;
+#[cfg(feature = "io")]
 mod flat;
 mod histogram;
 mod hit_counts;

@@ -33,7 +33,12 @@ impl ConformalMap {
         for j in 1..=source.vertex_count() {
             let (measure, way) = nearer(source, j);
             omega = omega.max(map.continued_error(measure, way));
-            points[source.vertex_at(j)] = map.error_of(measure, way);
+            let vertex = source.vertex_at(j);
+            let place = self.mapped().curve_boundary().filter(|_| !self.far.is_empty());
+            points[vertex] = match place {
+                Some(boundary) => map.error(boundary.points()[vertex]),
+                None => map.error_of(measure, way),
+            };
         }
         if let (Some(_), Some(boundary)) = (self.resolution(), self.mapped().curve_boundary()) {
             // next to a part that is not resolved, images are those of the part's ends

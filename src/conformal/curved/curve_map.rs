@@ -1,8 +1,11 @@
 //! The boundary map between the curves of two sides, at any point of either curve.
 //!
 //! The image of a point has the same harmonic measure from its anchor, counted in the way in which that is smaller.
-//! The map preserves the order along the curves up to rounding. Where finite elements continue a measure, the image
-//! is interpolated there, and its estimated error says so.
+//! The map preserves the order along the curves up to rounding, and, where parts with [far anchors] of their own end, up
+//! to the errors of the measures. Where finite elements continue a measure, the image is interpolated there, and its
+//! estimated error says so.
+//!
+//! [far anchors]: super::super::far_anchors
 
 use super::super::{ConformalMap, HarmonicMeasure, Side};
 use super::curve_measure::CurveMeasure;
@@ -14,30 +17,31 @@ use crate::geometry::{Curve, CurvePoint};
 pub struct CurveMap<'a> {
     from: CurveMeasure<'a>,
     onto: CurveMeasure<'a>,
-    /// The measures where both boundaries are far from both points, from anchors there, and up to which they are used.
-    far: Vec<([CurveMeasure<'a>; 2], f64)>,
+    /// The map where both boundaries are far from both points, from anchors there, and the measures up to which it is
+    /// used.
+    far: Vec<(CurveMap<'a>, f64)>,
 }
 
 impl ConformalMap {
     /// The boundary map from the curve of side `from` to the other curve, whichever mesh is mapped; `None` unless both
-    /// measures are from the integral equation. Cost O(panels).
+    /// measures are from the integral equation. Cost O(panels) for each anchor.
     pub fn curve_map(&self, from: Side) -> Option<CurveMap<'_>> {
         let sides = [from, from.other()];
-        let far = self.far.iter().map(|far| Some((pair(sides.map(|side| &far.measures[side]))?, far.limit)));
-        let far = far.collect::<Option<Vec<_>>>()?;
-        let [from, onto] = pair(sides.map(|side| self.measure(side)))?;
-        Some(CurveMap { from, onto, far })
+        let far = self.far.iter().map(|far| Some((CurveMap::new(sides.map(|side| &far.measures[side]))?, far.limit)));
+        let far = far.collect::<Option<_>>()?;
+        Some(CurveMap { far, ..CurveMap::new(sides.map(|side| self.measure(side)))? })
     }
-}
-
-fn pair([from, onto]: [&HarmonicMeasure; 2]) -> Option<[CurveMeasure<'_>; 2]> {
-    Some([CurveMeasure::new(from)?, CurveMeasure::new(onto)?])
 }
 
 /// Fractions of the length that differ by less are one place.
 const SAME: f64 = 1e-9;
 
 impl<'a> CurveMap<'a> {
+    /// Without far anchors.
+    fn new([from, onto]: [&'a HarmonicMeasure; 2]) -> Option<Self> {
+        Some(Self { from: CurveMeasure::new(from)?, onto: CurveMeasure::new(onto)?, far: Vec::new() })
+    }
+
     /// The curve that is mapped.
     pub fn from_curve(&self) -> &'a Curve {
         self.from.sharp().boundary().curve()
@@ -55,16 +59,18 @@ impl<'a> CurveMap<'a> {
         (forward, backward)
     }
 
-    /// The image of a point of the mapped curve on the other one. O(log panels).
+    /// The image of a point of the mapped curve on the other one. O(log panels) for each anchor.
     pub fn image(&self, point: CurvePoint) -> CurvePoint {
-        for ([from, onto], limit) in &self.far {
-            let (omega, way) = from.nearer(point);
-            if omega < *limit {
-                return onto.point(omega, way);
-            }
-        }
-        let (omega, way) = self.from.nearer(point);
-        self.onto.point(omega, way)
+        let map = self.nearest(point);
+        let (omega, way) = map.from.nearer(point);
+        map.onto.point(omega, way)
+    }
+
+    /// The map from the anchor in whose part the point lies: the nearest one, if there are several.
+    fn nearest(&self, point: CurvePoint) -> &Self {
+        let far = self.far.iter().map(|(far, limit)| (far, far.from.nearer(point).0, limit));
+        let near = far.filter(|(_, omega, limit)| omega < limit).min_by(|a, b| a.1.total_cmp(&b.1));
+        near.map_or(self, |(far, ..)| far)
     }
 
     /// The points between which the density of the mapped curve is one polynomial, in the order of the curve from its
@@ -83,10 +89,15 @@ impl<'a> CurveMap<'a> {
     ///
     /// Δω, the sum of both measures' errors, moves an image to where the other measure is ω ± Δω: next to a corner of
     /// angle α by Δω^(α/π), elsewhere by Δω over the density. The error is the longer one of the two arcs. The image of
-    /// the anchor is exact, and errors next to it are in proportion to the measure.
+    /// the anchor is exact, and errors next to it are in proportion to the measure. In a far part it is also the error
+    /// from the map's own anchor: the far one's place is known up to that only.
     pub fn error(&self, point: CurvePoint) -> f64 {
-        let (omega, way) = self.from.nearer(point);
-        self.error_of(omega, way)
+        let error_from = |map: &Self| {
+            let (omega, way) = map.from.nearer(point);
+            map.error_of(omega, way)
+        };
+        let near = self.nearest(point);
+        if std::ptr::eq(near, self) { error_from(self) } else { error_from(self).max(error_from(near)) }
     }
 
     /// The error of the image of a point with this measure.

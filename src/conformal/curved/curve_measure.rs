@@ -5,6 +5,7 @@
 //! are interpolated between the samples.
 
 use super::super::HarmonicMeasure;
+use super::continued::AGREED;
 use super::sharp::{SharpMeasure, Way, point_between_knots};
 use crate::boundary_integral::AnchoredMeasure;
 use crate::geometry::CurvePoint;
@@ -12,8 +13,6 @@ use crate::geometry::CurvePoint;
 /// Stations next to the anchor, in perimeters, at which rounding may leave a point on its other side.
 const BEHIND: f64 = 1e-14;
 
-/// Measures that finite elements continue may be wrong by this factor, and by [`WRONG_RATE`].
-const CONTINUED: f64 = 1.1;
 /// The relative error of the rate at which finite elements let measure decay along a channel. In the arms of the V, over
 /// 23 decades, it is 1.3 % at the default samples.
 const WRONG_RATE: f64 = 0.03;
@@ -61,10 +60,11 @@ impl<'a> CurveMeasure<'a> {
         }
     }
 
-    /// The factor by which a measure may be wrong that finite elements continue, otherwise 1.
+    /// The factor by which a measure may be wrong that finite elements continue, [`AGREED`] and what [`WRONG_RATE`] adds;
+    /// otherwise 1.
     pub fn factor(&self, omega: f64, way: Way) -> f64 {
         match self.sharp_from(way) {
-            from if omega < from && omega > 0.0 => CONTINUED * (from / omega).powf(WRONG_RATE),
+            from if omega < from && omega > 0.0 => AGREED * (from / omega).powf(WRONG_RATE),
             _ => 1.0,
         }
     }

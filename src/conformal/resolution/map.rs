@@ -1,7 +1,7 @@
 //! The map on the refined mesh: the boundary map is the known one, the extension is new.
 
 use super::ResolvedBoundary;
-use crate::conformal::far_anchors::far_anchors;
+use crate::conformal::far_anchors::{FarAnchor, far_anchors};
 use crate::conformal::map_side::MapSide;
 use crate::conformal::{
     BoundaryCorrespondence, ConformalMap, Constraints, HarmonicMeasure, MapError, MapSettings, PerSide, PreparedSide,
@@ -29,12 +29,20 @@ impl ConformalMap {
         let kernel: Vec<f64> = boundary.places.iter().map(|&place| value_at(self.kernel(side), place)).collect();
         let measure = self.refined_measure(&boundary, &refined, &kernel);
         map.sides[side] = MapSide::with_measure(refined, side, &self.sides[side], kernel, measure)?;
-        map.far = far_anchors(PerSide::from_fn(|side| (&**map.side(side), map.measure(side))));
         let mapped = Arc::clone(map.side(side));
+        let on_refined = |far: &FarAnchor| far.on_other_samples(side, (&mapped, map.measure(side)), &boundary.places);
+        map.far = self.far.iter().filter_map(on_refined).collect();
         self.set_images(&boundary, &mapped, &mut map.correspondence);
         map.settings = MapSettings { direction: self.settings.direction, ..settings };
         map.resolution = Some(boundary);
         Ok(map)
+    }
+
+    /// The far anchors of a map that keeps none; `None` if both measures are from the boundary integral.
+    pub(super) fn far_of_finite_elements(&self) -> Option<Vec<FarAnchor>> {
+        let sides = PerSide::from_fn(|side| (&**self.side(side), self.measure(side)));
+        let is_kept = sides.iter().all(|(_, (_, measure))| measure.is_sharp());
+        (!is_kept).then(|| far_anchors(sides))
     }
 
     /// The constraints of the last complete update; `None` before it.

@@ -74,7 +74,9 @@ impl ResolvedBoundary {
         let side = map.mapped_side();
         let [mapped, other] = [side, side.other()].map(|side| map.domain(side).map(|domain| domain.samples()));
         let (mapped, other) = (mapped?, other?);
-        let far = |side: Side| map.far.iter().map(move |far| (&far.measures[side], far.limit));
+        let found = map.far_of_finite_elements();
+        let far = found.as_ref().unwrap_or(&map.far);
+        let far = |side: Side| far.iter().map(move |far| (&far.measures[side], far.limit));
         let a = Rim::new(mapped, map.measure(side), far(side))?;
         let b = Rim::new(other, map.measure(side.other()), far(side.other()))?;
         let merged = Merged::new(&a, &b);

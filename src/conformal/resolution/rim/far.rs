@@ -35,17 +35,22 @@ impl<'a> Rim<'a> {
     pub(super) fn is_flat(&self, j: usize) -> bool {
         let vertex = self.measure.vertex_at(j);
         let is_far = |far: &&FarPart<'_>| far.contains(self.lengths[j]) && far.contains(self.lengths[j + 1]);
-        match self.far.iter().find(is_far) {
-            // the anchor's own vertex is followed by the first interval
-            Some(far) if vertex == far.rim.measure.vertex_at(0) => far.rim.is_flat(0),
-            Some(far) => far.rim.is_flat(far.rim.measure.knot_of(vertex)),
-            None => self.law.is_flat(self.interval(j)),
+        let mut far = self.far.iter().filter(is_far).peekable();
+        if far.peek().is_none() {
+            return self.law.is_flat(self.interval(j));
         }
+        far.all(|FarPart { rim, .. }| match rim.measure.knot_of(vertex) {
+            // the anchor's own vertex is followed by the first interval
+            _ if vertex == rim.measure.vertex_at(0) => rim.is_flat(0),
+            knot => rim.is_flat(knot),
+        })
     }
 
-    /// The far part that contains the length `s` from the anchor.
+    /// The far part that contains the length `s` from the anchor: that of the nearest far anchor.
     pub(super) fn far_at(&self, s: f64) -> Option<usize> {
-        self.far.iter().position(|far| far.contains(s))
+        let near = (0..self.far.len()).filter(|&k| self.far[k].contains(s));
+        let omega = |k: usize| self.far[k].rim.near_at((s - self.far[k].anchor).rem_euclid(self.length())).value;
+        near.min_by(|&a, &b| omega(a).total_cmp(&omega(b)))
     }
 }
 
