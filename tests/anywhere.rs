@@ -59,9 +59,8 @@ impl Comparison {
             found[0], found[1]
         );
         assert!(covered as f64 >= 0.95 * count as f64, "{name}: {covered} of {count} are covered");
-        // next to the square's corners ω is worse than elsewhere
-        let most = if name.contains("disk → square") { 400.0 } else { 100.0 };
-        assert!(median <= most, "{name}: the estimate is {median} times too large");
+        // measures of sides with corners are better than what is known about them, 4e-13
+        assert!(median < 1e4, "{name}: the estimate is {median} times too large");
         found
     }
 }

@@ -116,9 +116,7 @@ impl Division {
     /// The integral over the panels, once the curve is divided.
     pub fn finish(self) -> CauchyIntegral {
         let Self { curve, panels, center, magnitude, extent, .. } = self;
-        let mut integral = CauchyIntegral { curve, panels, center, magnitude, extent };
-        integral.calibrate();
-        integral
+        CauchyIntegral { curve, panels, center, magnitude, extent }
     }
 
     /// Makes a panel of the samples if they are enough, or cannot be more.
@@ -138,10 +136,8 @@ impl Division {
         if !is_final && panel.mismatch > MISMATCH * rounding.max(noise) {
             return false;
         }
-        let left_open = tail + panel.mismatch / MISMATCH;
-        // otherwise by noise within the values' errors
-        let unresolved = if left_open > 2.0 * rounding.max(noise) { left_open } else { 0.0 };
-        self.panels.push(Panel { error: panel.error + left_open, unresolved, ..panel });
+        let error = panel.error + tail + panel.mismatch / MISMATCH;
+        self.panels.push(Panel { error, ..panel });
         true
     }
 

@@ -18,11 +18,11 @@ const ROUNDING: f64 = 1e-9;
 
 /// The sums S₀, S₁, T₀, T₁.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Sums {
-    pub s: [Complex; 2],
+struct Sums {
+    s: [Complex; 2],
     t: [Complex; 2],
     /// Σ |S₀ of the panel| times its error.
-    pub error: f64,
+    error: f64,
 }
 
 /// A near panel: its index, ζ′ of z, and the end offsets minus z.
@@ -46,7 +46,7 @@ fn moments(local: Complex, first: Complex) -> [Complex; NODES] {
 
 impl Sums {
     /// Adds a far panel, by its rule.
-    pub fn add_far(&mut self, panel: &Panel, z: DVec2) {
+    fn add_far(&mut self, panel: &Panel, z: DVec2) {
         let relative = z - panel.base;
         let mut sums = [0.0; 8];
         for k in 0..NODES {
@@ -82,13 +82,6 @@ impl Sums {
     }
 }
 
-impl Panel {
-    /// Whether a point, relative to the base, is within [`NEAR`].
-    pub fn is_near(&self, z: Complex) -> bool {
-        (0.5 * (self.ends[0] + self.ends[1]) - z).norm_sqr() <= NEAR * NEAR * self.half_chord().norm_sqr()
-    }
-}
-
 impl CauchyIntegral {
     /// f and f′ at z, which must lie inside of the curve, and not on it.
     pub fn evaluate(&self, z: DVec2) -> Evaluation {
@@ -96,12 +89,12 @@ impl CauchyIntegral {
         for (index, panel) in self.panels.iter().enumerate() {
             let ends = panel.ends.map(|end| end - complex(z - panel.base));
             let (middle, half) = (0.5 * (ends[0] + ends[1]), panel.half_chord());
-            if panel.is_near(complex(z - panel.base)) {
+            if middle.norm_sqr() > NEAR * NEAR * half.norm_sqr() {
+                sums.add_far(panel, z);
+            } else {
                 let neighbor = Near { index, local: -middle / half, ends };
                 sums.add_near(panel, &neighbor);
                 near.push(neighbor);
-            } else {
-                sums.add_far(panel, z);
             }
         }
         let behind = self.behind_chord(&near, sums.s[0]);

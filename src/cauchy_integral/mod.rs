@@ -7,7 +7,6 @@
 //! length, is integrated by its Gauss rule, a near one exactly for the polynomial that interpolates F in ζ (Helsing &
 //! Ojala, J. Comput. Phys. 227 (2008) 2899), so that z may lie anywhere inside.
 
-mod calibration;
 mod division;
 mod evaluation;
 mod panel;

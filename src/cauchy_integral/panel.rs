@@ -151,8 +151,6 @@ pub struct Panel {
     /// The difference, at the ends, of the polynomials in the position and in the parameter: where F is resolved in the
     /// parameter, but has a singular point next to the panel that the parametrization has, too, only this is large.
     pub mismatch: f64,
-    /// What the polynomial leaves open, if that is more than the values' errors explain, else 0.
-    pub unresolved: f64,
     /// The error of the values.
     pub error: f64,
 }
@@ -179,7 +177,6 @@ impl Panel {
             powers: powers(&positions, &values),
             height: positions.iter().map(|z| z.im.abs()).fold(0.0, f64::max),
             mismatch: 0.0,
-            unresolved: 0.0,
             error,
         };
         let at_ends = Rule::get().ends(&values);
