@@ -117,7 +117,7 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
 }
 
 fn image_name(app: &RiemapApp) -> Option<&str> {
-    app.pictures.image.as_ref().map(|image| image.name.as_str())
+    app.pictures.image.as_ref().map(|image| image.file.name.as_str())
 }
 
 /// The plots below the viewports; they stay when the panels are hidden. Returns the place under the pointer.
