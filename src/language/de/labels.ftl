@@ -41,6 +41,8 @@ angle_distortion = Winkelverzerrung Q = σ₁/σ₂
 
 boundary_samples_m = Randpunkte m
 error = Fehler
+fitted_order = Ordnung { $order }
+of_paper = { $column } (Artikel)
 max = Maximum
 mean = Mittel
 convergence_about = Abstand der Randbilder von den exakten, V-Form → Klecks; der Klecks ist etwa 2 breit.
@@ -462,7 +464,7 @@ with_psi = mit Ψ
 zipper = Zipper
 bff_paper = BFF, Artikel
 psi_match_x1_moves = ψ + Abgleich, x₁ bewegt
-x2_moves = x₂ bewegt
+x2_moves = ψ + Abgleich, x₂ bewegt
 extend = Fortsetzung
 stage_mesh = vernetzen
 
@@ -484,6 +486,9 @@ target_heading = Ziel
 ground = Grund
 transparent = Durchsichtig
 transparent_tooltip = Ohne die Farbe hinter der Abbildung
+dots = Punkte
+both_points = Innerer Punkt und Randpunkt
+both_points_tooltip = Die Punkte x und y auf beiden Seiten
 coordinates = Koordinaten
 size = Größe
 width_pixels = Breite in Pixeln
@@ -597,7 +602,7 @@ forward_tooltip = Das Netz der Quelle wird in das Ziel abgebildet
 backward_tooltip = Das Netz des Ziels wird in die Quelle abgebildet und liest dort seine Textur
 texture_tooltip = Das Muster, das die Abbildung überträgt
 angle_tooltip = Winkelverzerrung Q = σ₁/σ₂ jedes Dreiecks: 1, wo Winkel erhalten bleiben
-area_tooltip = Flächenverzerrung log₂(σ₁σ₂) jedes Dreiecks, von der Quelle zum Ziel: +1 ist die doppelte Fläche, −1 die halbe
+area_tooltip = Flächenverzerrung log₂(σ₁σ₂) jedes Dreiecks, von der Quelle zum Ziel: +1 ist die doppelte Fläche, −1 die halbe. Die Farben gehen vom Mittel aus
 checker_tooltip = Quadrate; Winkel von 90° bleiben Winkel von 90°
 lines = Linien
 polar_tooltip = Kreise und Strahlen um den inneren Punkt
