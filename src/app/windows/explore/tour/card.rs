@@ -1,105 +1,63 @@
-//! The guided tour: six sessions with a few sentences each.
+//! The card of a step of the tour: its words and the buttons. It lies beside the pictures, on an upright phone below.
 
+use super::steps;
 use crate::app::input::action::{Action, Actions, ExploreAction};
+use crate::app::input::presentation;
 use crate::app::theme::widgets::give_keyboard;
-use crate::app::theme::{FINGER_HEIGHT, Palette, bold};
-use crate::app::windows::explore::gallery::crowding;
-use crate::conformal::{Direction, Side};
-use crate::language::{Label as Words, key, say, tr};
-use crate::outline::Preset;
-use crate::session::{Command, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind};
-use crate::surface::SurfacePreset;
+use crate::app::theme::{FINGER_HEIGHT, PHONE_WIDTH, Palette, bold};
+use crate::language::{key, say, tr};
 use egui::{Frame, Label, Margin, Panel, RichText, ScrollArea, Ui};
-use std::sync::LazyLock;
 
-/// One step of the tour.
-pub struct Step {
-    pub title: Words,
-    /// The sentences: what there is to see and to try.
-    pub text: Words,
-    /// The session that is shown.
-    pub session: Session,
-    /// Whether the random walks run.
-    pub walks: bool,
-}
-
-/// All steps, in order; built once.
-pub fn steps() -> &'static [Step] {
-    static STEPS: LazyLock<Vec<Step>> = LazyLock::new(make_steps);
-    &STEPS
-}
-
-fn make_steps() -> Vec<Step> {
-    let step = |title, text, session| Step { title, text, session, walks: false };
-    let polar = Session::with([Command::SetTexture(TextureKind::Conformal)]);
-    vec![
-        step(
-            key::map_between_two_shapes(),
-            key::map_between_two_shapes_about(),
-            Session::with([Command::SetTextureScale(9.0)]),
-        ),
-        step(key::angles_stay(), key::angles_stay_about(), Session::with([Command::SetTextureScale(20.0)])),
-        step(key::three_freedoms(), key::three_freedoms_about(), polar),
-        Step { title: key::harmonic_measure(), text: key::harmonic_measure_about(), session: measured(), walks: true },
-        step(key::crowding(), key::tour_crowding_about(), crowding()),
-        step(key::surfaces(), key::surfaces_about(), solid()),
-    ]
-}
-
-fn measured() -> Session {
-    Session::with([
-        Command::SetPlots(true),
-        Command::SetDirection(Direction::Backward),
-        Command::SetOutline { side: Side::Source, outline: OutlineSpec::Preset(Preset::Hand) },
-        Command::SetOutline { side: Side::Target, outline: OutlineSpec::Preset(Preset::Disk) },
-    ])
-}
-
-fn solid() -> Session {
-    let surface = SurfaceSpec { shape: SurfaceShape::preset(SurfacePreset::AnimalHead), ..SurfaceSpec::default() };
-    Session::with([Command::SetSurface { side: Side::Target, surface }])
-}
-
-/// Shows the text and the buttons of a step in a panel below the pictures; with `takes_focus` the button to go on gets
-/// the keyboard focus.
-pub fn show(ui: &mut Ui, step: usize, takes_focus: bool, actions: &mut Actions) {
-    let all = steps();
-    let Some(stop) = all.get(step) else { return };
-    let palette = Palette::of(ui.visuals());
-    let is_low = is_low(ui);
-    let margin = if is_low { Margin::symmetric(16, 6) } else { Margin::symmetric(16, 12) };
-    let frame = Frame::new().fill(palette.raised).inner_margin(margin);
-    let title = RichText::new(tr(stop.title)).font(bold(16.0)).color(palette.text);
-    let words = Label::new(RichText::new(tr(stop.text)).color(palette.text)).wrap();
-    Panel::bottom("tour").resizable(false).frame(frame).show(ui, |ui| {
-        if is_low {
-            ui.horizontal(|ui| {
-                buttons(ui, step, all.len(), takes_focus, actions);
-                ui.add(Label::new(title).truncate());
-            });
-            let area = ScrollArea::vertical().max_height(LOW_WORDS).min_scrolled_height(LOW_WORDS);
-            area.show(ui, |ui| ui.add(words));
-        } else {
-            ui.label(title);
-            ui.add(words);
-            ui.add_space(6.0);
-            ui.horizontal(|ui| buttons(ui, step, all.len(), takes_focus, actions));
-        }
-    });
-}
-
-/// On a screen lower than this, in points, the title is beside the buttons and the text takes three lines and scrolls.
+/// On a screen lower than this, in points, a message replaces the card.
 const LOW_SCREEN: f32 = 450.0;
-const LOW_WORDS: f32 = 50.0;
+/// The width of a card beside the pictures, as a share of the screen, and its limits.
+const WIDTH_SHARE: f32 = 0.27;
+const WIDTHS: [f32; 2] = [220.0, 340.0];
+/// The height of a card below the pictures, as a share of the screen: with the bars, the pictures keep three fifths.
+const HEIGHT_SHARE: f32 = 0.3;
+/// The sizes of title and words, in points, for a screen of one's own and for one that a class sees.
+const TITLE: [f32; 2] = [18.0, 22.0];
+const WORDS: [f32; 2] = [15.0, 17.0];
 
 /// Whether the screen is lower than [`LOW_SCREEN`].
 pub fn is_low(ui: &Ui) -> bool {
     ui.ctx().content_rect().height() < LOW_SCREEN
 }
 
-/// The buttons of a step and its number out of `count`, in a row.
+/// Shows the card of a step; with `takes_focus` the button to go on gets the keyboard focus.
+pub fn show(ui: &mut Ui, step: usize, takes_focus: bool, actions: &mut Actions) {
+    let screen = ui.ctx().content_rect();
+    let is_beside = screen.width() >= PHONE_WIDTH || screen.width() > screen.height();
+    let margin = if is_low(ui) { Margin::symmetric(12, 8) } else { Margin::symmetric(18, 14) };
+    let frame = Frame::new().fill(Palette::of(ui.visuals()).raised).inner_margin(margin);
+    let panel = if is_beside {
+        Panel::left("tour").exact_size((WIDTH_SHARE * screen.width()).clamp(WIDTHS[0], WIDTHS[1]))
+    } else {
+        Panel::bottom("tour").exact_size(HEIGHT_SHARE * screen.height())
+    };
+    panel.resizable(false).frame(frame).show(ui, |ui| content(ui, step, takes_focus, actions));
+}
+
+/// The buttons at the lower edge, the words in the room above them, scrolling where they do not fit.
+fn content(ui: &mut Ui, step: usize, takes_focus: bool, actions: &mut Actions) {
+    let all = steps();
+    let Some(stop) = all.get(step) else { return };
+    let Palette { text, weak, .. } = Palette::of(ui.visuals());
+    let large = usize::from(presentation::is_large(ui.ctx()));
+    let row = Frame::new().inner_margin(Margin { top: 6, ..Margin::ZERO });
+    Panel::bottom("tour buttons").resizable(false).show_separator_line(false).frame(row).show(ui, |ui| {
+        ui.horizontal_wrapped(|ui| buttons(ui, step, all.len(), takes_focus, actions));
+    });
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        ui.label(RichText::new(say(&key::of(step + 1, all.len()))).small().color(weak));
+        ui.add(Label::new(RichText::new(tr(stop.title)).font(bold(TITLE[large])).color(text)).wrap());
+        ui.add_space(4.0);
+        ui.add(Label::new(RichText::new(tr(stop.text)).size(WORDS[large]).color(text)).wrap());
+    });
+}
+
+/// The buttons of a step out of `count`, in a row.
 fn buttons(ui: &mut Ui, step: usize, count: usize, takes_focus: bool, actions: &mut Actions) {
-    let weak = Palette::of(ui.visuals()).weak;
     let mut act = |action| actions.push(Action::Explore(action));
     ui.spacing_mut().interact_size.y = FINGER_HEIGHT;
     if ui.add_enabled(step > 0, egui::Button::new(tr(key::back()))).clicked() {
@@ -118,5 +76,4 @@ fn buttons(ui: &mut Ui, step: usize, count: usize, takes_focus: bool, actions: &
     if ui.button(tr(key::end())).on_hover_text(tr(key::end_tour_tooltip())).clicked() {
         act(ExploreAction::LeaveTour { keeps: false });
     }
-    ui.label(RichText::new(say(&key::of(step + 1, count))).color(weak));
 }
