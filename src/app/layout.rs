@@ -122,7 +122,7 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
 }
 
 fn image_name(app: &RiemapApp) -> Option<&str> {
-    app.pictures.image.as_ref().map(|image| image.name.as_str())
+    app.pictures.image.as_ref().map(|image| image.file.name.as_str())
 }
 
 /// Whether the plots leave the pictures their part of the screen in the tour.

@@ -35,7 +35,7 @@ keys_of_labels! {
     // file menu
     file, link_tooltip, undo, undo_tooltip, redo, redo_tooltip, new_session, new_session_tooltip, open,
     open_session_tooltip, save_session, save_session_tooltip, copy_link, full_screen, presentation_size, desk_size,
-    open_export, export_tooltip,
+    open_export, export_tooltip, recent_sessions, recent_tooltip,
     // files
     images, sessions, outlines_and_surfaces,
     // gallery
