@@ -21,6 +21,7 @@ pub fn run(arguments: &AnimateArguments) -> Result<(), CliError> {
         size: settings.size,
         dark: arguments.theme == ThemeArgument::Dark,
         transparent: arguments.transparent,
+        dots: !arguments.no_dots,
         side: arguments.side.and_then(SideArgument::side),
     };
     let progress = Progress::new("reading");

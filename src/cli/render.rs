@@ -23,6 +23,9 @@ use std::path::Path;
 pub fn run(arguments: &RenderArguments) -> Result<(), CliError> {
     check_paths(std::slice::from_ref(&arguments.out))?;
     let format = Format::of(&arguments.out)?;
+    if format != Format::Picture && arguments.no_dots {
+        return Err(CliError::Usage(String::from("--no-dots: only a .png is drawn without them")));
+    }
     if format != Format::Picture && arguments.transparent {
         return Err(CliError::Usage(String::from("--transparent: only a .png has a ground")));
     }
@@ -63,6 +66,7 @@ fn shot(arguments: &RenderArguments) -> Shot {
         size: arguments.size.0,
         dark: arguments.theme == ThemeArgument::Dark,
         transparent: arguments.transparent,
+        dots: !arguments.no_dots,
         side: arguments.side.and_then(SideArgument::side),
     }
 }
