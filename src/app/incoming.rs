@@ -156,7 +156,7 @@ impl RiemapApp {
             }
         };
         let picture = Picture { name, pixels };
-        if let FilePurpose::Trace(side) = purpose {
+        if let FileKind::Trace(side) = FileKind::of(purpose, &picture.name) {
             return self.take_traced(side, files::traced(&picture));
         }
         let side = if let FilePurpose::Dropped(side) = purpose { side } else { Side::Source };

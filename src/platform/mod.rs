@@ -4,16 +4,16 @@
 //! names: [`start`], [`Preparer`], [`StudyRunner`], [`pick_file`], [`read_dropped`], [`decode_image`], [`save_file`],
 //! [`drop_position`], [`address_query`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
 //! [`languages`], [`say_language`], [`say`], [`describe`], [`has_fingers`], [`has_full_screen`],
-//! [`toggle_full_screen`], [`tell_page`], [`watch_graphics`]. Whatever happens between frames arrives in order as an
+//! [`toggle_full_screen`], [`can_share`], [`share`], [`tell_page`], [`watch_graphics`]. Whatever happens between frames arrives in order as an
 //! [`Event`] in the app's mailbox and wakes the app; only files, on the web, are passed to the app directly.
 
 #[cfg(target_arch = "wasm32")]
 mod web;
 #[cfg(target_arch = "wasm32")]
 pub use web::{
-    Preparer, StudyRunner, address_query, address_with, decode_image, describe, drop_position, has_fingers,
+    Preparer, StudyRunner, address_query, address_with, can_share, decode_image, describe, drop_position, has_fingers,
     has_full_screen, languages, link, pick_file, read_dropped, remember, remembered, save_file, say, say_language,
-    show_link, start, tell_page, toggle_full_screen, watch_graphics,
+    share, show_link, start, tell_page, toggle_full_screen, watch_graphics,
 };
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -22,9 +22,9 @@ mod native;
 mod native_image;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{
-    Preparer, StudyRunner, address_query, address_with, describe, drop_position, has_fingers, has_full_screen,
-    languages, link, pick_file, read_dropped, remember, remembered, save_file, say, say_language, show_link, start,
-    tell_page, toggle_full_screen, watch_graphics,
+    Preparer, StudyRunner, address_query, address_with, can_share, describe, drop_position, has_fingers,
+    has_full_screen, languages, link, pick_file, read_dropped, remember, remembered, save_file, say, say_language,
+    share, show_link, start, tell_page, toggle_full_screen, watch_graphics,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use native_image::decode_image;

@@ -3,7 +3,7 @@
 use super::super::theme::Palette;
 use super::chart::power_of_ten;
 use crate::figures::{ConvergenceRow, Method, SecondMap, fitted_order};
-use crate::language::{self, key, tr};
+use crate::language::{self, key, number, tr};
 use egui::{Color32, RichText, Ui};
 use egui_plot::{AxisHints, GridInput, GridMark, Legend, Line, Plot, Points};
 
@@ -65,7 +65,7 @@ fn all_series(rows: &[ConvergenceRow]) -> Vec<Series> {
 }
 
 fn series(method: Method, error: &str, points: Vec<(u32, f64)>) -> Series {
-    let order = fitted_order(&points).map_or_else(String::new, |p| format!(" ≈ m^−{p:.1}"));
+    let order = fitted_order(&points).map_or_else(String::new, |p| format!(" ≈ m^−{}", number(p, 1)));
     Series { name: format!("{}, {error}{order}", tr(language::method(method))), points }
 }
 

@@ -12,7 +12,7 @@ mod public;
 mod report;
 
 pub use first::{Start, first_session, missing_text};
-pub use report::{link_report, whole_link};
+pub use report::{lacks, link_report, whole_link};
 
 use crate::language::Message;
 use crate::session::link::MissingOutline;

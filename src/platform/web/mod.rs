@@ -24,7 +24,7 @@ pub use live_region::{describe, say};
 pub use page::{address_query, watch_graphics};
 pub use preparer::Preparer;
 pub use study_runner::StudyRunner;
-pub use surroundings::{has_full_screen, tell_page, toggle_full_screen};
+pub use surroundings::{can_share, has_full_screen, share, tell_page, toggle_full_screen};
 
 use super::Host;
 use wasm_bindgen::JsCast;
