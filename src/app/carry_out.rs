@@ -131,6 +131,9 @@ impl RiemapApp {
         if matches!(action, ExploreAction::Tour(_)) {
             self.editor.act(EditAction::Leave, &mut self.model, &mut self.pictures.views);
         }
+        if matches!(action, ExploreAction::Tour(_) | ExploreAction::LeaveTour { .. }) {
+            self.windows.explore.end_motions(&mut self.player, &self.model);
+        }
         let is_walking = self.model.overlay_state().walks.is_running();
         let Consequences { session, walks } = self.windows.explore.act(action, self.model.session(), is_walking);
         if let Some(session) = session {

@@ -88,6 +88,7 @@ impl RiemapApp {
         self.begin_invariants(context, now);
         self.advance_overlays(context, now);
         self.look_under_pointer(context, now);
+        self.look_at_probe(context, now);
         self.work_on_export(context);
         self.describe(context, now);
         self.keep(context);
@@ -117,6 +118,9 @@ impl RiemapApp {
         let is_held = self.input.handles.grip.is_some();
         if is_held {
             self.player.pause();
+        }
+        if let Some(delay) = self.windows.explore.conduct(&mut self.player, &self.model, now) {
+            context.request_repaint_after_secs(delay as f32);
         }
         for command in self.player.advance(&self.model, now) {
             self.persistence.touch();
@@ -210,6 +214,31 @@ impl RiemapApp {
         let pointed = at.and_then(|at| self.model.pointed(at.side, at.point));
         if std::mem::replace(&mut self.pictures.pointed, pointed) != pointed {
             // the status line was laid out before
+            context.request_repaint();
+        }
+    }
+
+    /// Carries the probe to the target; its integral is prepared in slices while the map rests.
+    fn look_at_probe(&mut self, context: &egui::Context, now: f64) {
+        let handles = &mut self.input.handles;
+        if !self.windows.explore.probes() {
+            (handles.probe, self.pictures.probe) = (None, None);
+            return;
+        }
+        if handles.probe.is_none() && self.model.is_mapped() {
+            handles.probe = self.model.new_probe();
+        }
+        let Some(probe) = handles.probe else { return };
+        let is_free = self.is_resting(now) && self.input.handles.probe_grip.is_none();
+        let is_exact = is_free && self.model.prepare_pointer(Side::Source);
+        if is_free && !is_exact {
+            context.request_repaint();
+        }
+        let is_integral =
+            is_exact && self.model.pointed(Side::Source, probe.center).is_some_and(|at| at.errors.is_some());
+        let known = self.pictures.probe.as_ref();
+        if !known.is_some_and(|image| self.model.is_probe_current(image, probe, is_integral)) {
+            self.pictures.probe = self.model.probe_image(probe);
             context.request_repaint();
         }
     }

@@ -12,6 +12,7 @@ pub fn png(panels: &[Panel<'_>; 2], cells: f64, size: [u32; 2]) -> Result<Vec<u8
     let style = TextureStyle {
         pattern: Pattern::Checker,
         cells,
+        octaves: true,
         bounds: panels[0].bounds(),
         pole: panels[0].handles[0],
         dark: true,

@@ -44,7 +44,7 @@ pub fn png(
         unresolved: &[],
         handles: planar_places(domain, x1, anchors[plane]),
     };
-    let style = TextureStyle { pattern: Pattern::Checker, cells: CELLS, bounds: panel.bounds(), pole: x1, dark: true };
+    let style = checker(panel.bounds(), x1);
     // strokes and handles scale with the picture
     let scale = size[1].min(size[0]) as f32 / 900.0;
     let wire =
@@ -73,8 +73,7 @@ pub fn png_of_two(
     size: [u32; 2],
 ) -> Result<Vec<u8>, CliError> {
     let aspect = 0.5 * f64::from(size[0]) / f64::from(size[1]);
-    let bounds = TextureStyle::DISK;
-    let style = TextureStyle { pattern: Pattern::Checker, cells: CELLS, bounds, pole: DVec2::ZERO, dark: true };
+    let style = checker(TextureStyle::DISK, DVec2::ZERO);
     let part = |side: Side| {
         let (surface, point) = (map.side(side).surface()?, constraints.points[side].on_surface()?);
         Some(ScenePart::Space(SurfacePart {
@@ -92,6 +91,10 @@ pub fn png_of_two(
 
 fn no_plane() -> CliError {
     CliError::Input(String::from("the map has no picture of this kind"))
+}
+
+fn checker(bounds: (DVec2, DVec2), pole: DVec2) -> TextureStyle {
+    TextureStyle { pattern: Pattern::Checker, cells: CELLS, octaves: true, bounds, pole, dark: true }
 }
 
 fn look<'a>(style: TextureStyle, scale: f32) -> Look<'a> {

@@ -25,6 +25,7 @@ pub mod overlays;
 pub mod pattern;
 pub mod persistence;
 mod pointer;
+mod probe;
 mod refresh;
 pub mod scene;
 pub mod shape;
@@ -39,6 +40,7 @@ pub use abilities::{Abilities, Unavailable};
 pub use interpretation::Interpreting;
 pub use method::Method;
 pub use pointer::{PointedErrors, PointedImage};
+pub use probe::{Probe, ProbeImage};
 pub use sharpness::{ErrorBounds, SideKernel};
 
 use crate::conformal::{

@@ -26,6 +26,7 @@ mod eye_uniform;
 mod film;
 mod gpu;
 mod image_texture;
+mod local_scale;
 mod mesh_pass;
 mod messages;
 mod orbit_camera;

@@ -47,6 +47,9 @@ pub struct TextureStyle {
     pub pattern: Pattern,
     /// Cells across the larger extent of `bounds`, positive.
     pub cells: f64,
+    /// Whether cells are divided and joined by powers of two where the map or the camera shows them larger or smaller
+    /// than a picture of the whole of `bounds` would, so that they keep a visible size. Not for images.
+    pub octaves: bool,
     /// Lower left and upper right corner of that domain.
     pub bounds: (DVec2, DVec2),
     /// The center of the polar grid: that domain's interior point.
@@ -143,6 +146,7 @@ mod tests {
         let style = TextureStyle {
             pattern: Pattern::Checker,
             cells: 8.0,
+            octaves: false,
             bounds: (DVec2::new(0.0, -1.0), DVec2::new(1.0, 3.0)),
             pole: DVec2::ZERO,
             dark: true,

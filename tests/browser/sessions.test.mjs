@@ -51,7 +51,7 @@ withOneBackend('sessions', (bench) => {
     bench.withApp(async (app) => {
       const start = await app.session();
       const first = await app.otherAddress(bench.address());
-      await app.openSession({ texture_scale: 20 });
+      await app.openSession({ texture_scale: 16 });
       await app.otherAddress(first);
       await app.paste(new URL(first).hash);
       await app.until('the link is opened', (stats) => stats.ready && stats.undo === 2);

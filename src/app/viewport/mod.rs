@@ -9,6 +9,7 @@
 //! | a side's picture: of a plane or of a surface | `picture` |
 //! | dragging and painting the dots | `dots` |
 //! | the marks at an outline's corners | `corners` |
+//! | a small circle with a cross, and its image | `probe` |
 //! | uploads to the GPU and drawing | `gpu`, `gpu_extension`, `cells` |
 //! | the legend of triangle colors | `legend` |
 
@@ -21,5 +22,6 @@ pub mod legend;
 pub mod picture;
 pub mod pictures;
 pub mod planar;
+pub mod probe;
 pub mod surface;
 pub mod view;

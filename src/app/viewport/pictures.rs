@@ -5,7 +5,7 @@ use super::gpu::Gpu;
 use super::surface::OrbitView;
 use super::view::View;
 use crate::conformal::PerSide;
-use crate::model::PointedImage;
+use crate::model::{PointedImage, ProbeImage};
 use image::RgbaImage;
 use std::sync::Arc;
 
@@ -29,6 +29,8 @@ pub struct Pictures {
     pub cells: CellUploads,
     /// The map at the point under the pointer.
     pub pointed: Option<PointedImage>,
+    /// The image of the probe.
+    pub probe: Option<ProbeImage>,
     /// The image that was opened last.
     pub image: Option<TextureImage>,
 }

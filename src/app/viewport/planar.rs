@@ -16,6 +16,7 @@ use crate::app::viewport::dots;
 use crate::app::viewport::dots::Dot;
 use crate::app::viewport::gpu::ViewportCallback;
 use crate::app::viewport::picture::Picture;
+use crate::app::viewport::probe;
 use crate::app::viewport::view::View;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
@@ -53,7 +54,8 @@ pub fn interact(
         return None;
     }
     drag_dots(ui, &response, side, model, view, handles, actions);
-    move_camera(ui, &response, view, handles.grip.is_some(), handles.hovered.is_none());
+    let holds_probe = probe::interact(ui, &response, side, model, view, handles);
+    move_camera(ui, &response, view, handles.grip.is_some() || holds_probe, handles.hovered.is_none());
     let is_over = handles.grip.is_some() || handles.hovered.is_some();
     corners::interact(ui, &response, side, model, view, is_over, actions);
     match keyboard_navigation::of_viewport(ui, &response, side, handles) {

@@ -701,15 +701,16 @@ keep_picture = Keep this picture
 keep_picture_tooltip = Ends the tour here
 end_tour_tooltip = Ends the tour and shows your own picture again
 map_between_two_shapes = A map between two shapes
-map_between_two_shapes_about = Whatever is drawn inside the source is carried into the target: stretched and turned from place to place, but never torn and never folded. Drag a green dot and watch all of it follow.
+map_between_two_shapes_about = Whatever is drawn inside one outline is carried into the other one: stretched and turned from place to place, but never torn and never folded. The green dot goes once around, and all of it follows. Then drag it yourself.
 angles_stay = Angles stay
-angles_stay_about = That is what conformal means. Each small square becomes a small square, larger or smaller and turned, with right angles. The number Q̄ at the bottom says how well: 1 is perfect.
+angles_stay_about = That is what conformal means. The small circle becomes a circle again, larger or smaller (by |f′|) and turned, and the right angle in it stays one. Drag the circle: it holds everywhere, and the smaller the circle, the better.
 three_freedoms = Three freedoms
-three_freedoms_about = Riemann (1851): between two such outlines there is exactly one conformal map once you say where one inner point goes (two numbers, the green dots) and where one boundary point goes (one number, the magenta dots).
+three_freedoms_about = Riemann (1851): between two such outlines there is exactly one conformal map once you say where one inner point goes (two numbers, the green dots) and where one boundary point goes (one number, the magenta dots). See them move: x₁, then x₂, then y₁.
 harmonic_measure_about = Let a random walk start at the green dot. The chance that it leaves through a part of the boundary is that part's harmonic measure. A conformal map keeps it, so it is enough to match it along both boundaries: that is how riemap computes.
-tour_crowding_about = Why not go through a disk? From this V, arms shrink on the disk's rim to lengths of 10⁻¹⁷, and the computer has no digits left: the marks outside of the outline run together. Matched directly, they stay apart.
+tour_crowding_about = Why not go through a disk? From this V, arms shrink on the disk's rim to lengths of 10⁻¹⁷, and the computer has no digits left: on the blob, the marks outside of the outline have run together. Those inside are matched directly, and stay apart.
 surfaces = Surfaces
-surfaces_about = The same works for a surface in space with one boundary: each of its points gets a place in the outline. Turn it, drag the dots on it. This is how textures are laid on models.
+probed = |f′| = { $scale }, turned by { $turning }°
+surfaces_about = The same works for a surface in space with one boundary: each of its points gets a place in the outline. Its boundary point goes once around; then turn the surface, or drag the dots on it. This is how textures are laid on models.
 
 ## user error
 

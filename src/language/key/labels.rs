@@ -196,7 +196,7 @@ keys_of_messages! {
     // status
     pointed(point, image, scale, turning); error_estimate(value); unresolved(share); unknowns_of(side, count); kernel_of(side, kernel); largest_q(value); flipped(count); frame_parts(kernel, matching, extension); frame_times(compute, draw); fps(rate);
     // tour
-    of(part, whole);
+    of(part, whole); probed(scale, turning);
     // window
     pictures_done(done, all);
     // formula
