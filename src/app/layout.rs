@@ -146,6 +146,9 @@ fn column(app: &RiemapApp, in_sheet: bool) -> Column<'_> {
 
 /// Whether the plots leave the pictures their part of the screen in the tour.
 fn has_room_for_plots(ui: &Ui) -> bool {
+    if plots::width_beside(ui.available_size()).is_some() {
+        return true;
+    }
     let left = ui.available_height() - plots::dock_height(ui.available_width(), ui.available_height());
     left >= PICTURES_IN_TOUR * ui.ctx().content_rect().height()
 }
