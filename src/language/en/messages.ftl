@@ -260,6 +260,7 @@ repair_dropped_vertices = { $count ->
 }
 surface_file_malformed = { $place }: { $fault }
 topology_components = the surface has { $count } components (triangles: { $sizes }): keep the largest one
+topology_no_loop = the surface has { $count } boundary loops ({ $loops }), not { $asked }
 topology_loops = the surface has { $count } boundary loops where a disk has one ({ $loops }): fill all but the longest
 boundary_loop = length { $length } with { $vertices } vertices at vertex { $first }
 repair_filled_hole = { $triangles ->
@@ -414,6 +415,7 @@ limit_version = the session's version
 limit_coordinate = a coordinate of an interior point
 limit_anchor = the place of a boundary point
 limit_cells = the number of cells of the texture
+limit_picture = the placement of the picture
 limit_samples = the number of boundary samples
 limit_growth = the growth of the triangles
 limit_surface_boundary = the number of boundary vertices of the surface
