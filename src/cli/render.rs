@@ -31,8 +31,8 @@ pub fn run(arguments: &RenderArguments) -> Result<(), CliError> {
     let bytes = match format {
         Format::Picture => picture(&offscreen, &shot)?,
         Format::File(format) => {
-            let request = FileRequest { format, side: shot.side, unit: true };
-            offscreen.file(request).map_err(|error| CliError::Input(error.to_string()))?.bytes
+            let request = FileRequest { format, side: shot.side, unit: true, corners: true };
+            offscreen.file(request, None).map_err(|error| CliError::Input(error.to_string()))?.bytes
         }
     };
     write_all(&[(arguments.out.clone(), bytes)])

@@ -3,6 +3,7 @@
 //! | content | file |
 //! |---|---|
 //! | the column of controls | `side_panel`, `method`, `surface_panel`, `play_panel`, `interpretation`, `invariants_panel` |
+//! | the placement of the texture's picture | `picture_panel` |
 //! | title, buttons, messages and legend of a picture | `header` |
 //! | the menu of outlines and surfaces | `shapes` |
 //! | the offer to trace a picture | `offer` |
@@ -12,6 +13,7 @@ mod interpretation;
 pub mod invariants_panel;
 pub mod method;
 pub mod offer;
+mod picture_panel;
 pub mod play_panel;
 pub mod shapes;
 pub mod side_panel;

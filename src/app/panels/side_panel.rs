@@ -8,7 +8,7 @@ use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::{Control, guarded, guarded_by};
 use crate::app::language::words;
 use crate::app::overlays;
-use crate::app::panels::{interpretation, invariants_panel, method, play_panel};
+use crate::app::panels::{interpretation, invariants_panel, method, picture_panel, play_panel};
 use crate::app::theme::Palette;
 use crate::app::theme::widgets::{Segment, captioned_slider, group_heading, segmented};
 use crate::conformal::{Direction, PrepareSettings, Side};
@@ -98,6 +98,9 @@ fn texture(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut A
             }
             ui.add(egui::Label::new(RichText::new(image_name.unwrap_or_default()).color(palette.weak)).truncate());
         });
+        if image_name.is_some() {
+            picture_panel::show(ui, model, actions);
+        }
     } else {
         let shown = overlays::panel::scale(session);
         if let Some(scale) = captioned_slider(ui, tr(key::scale()), &shown, session.texture_scale(), CELLS, true) {

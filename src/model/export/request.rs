@@ -115,6 +115,8 @@ pub struct ExportRequest {
     pub side: Option<Side>,
     /// Whether a surface's texture coordinates are moved and scaled into the unit box.
     pub unit: bool,
+    /// Whether a surface is divided so that its layout reaches the outline's corners.
+    pub corners: bool,
     /// The points that move in animations.
     pub path: Path,
     /// The duration of one loop of an animation, in seconds.
@@ -135,6 +137,7 @@ impl Default for ExportRequest {
             transparent: false,
             side: None,
             unit: true,
+            corners: true,
             path: Path::Boundary,
             seconds: 4.0,
             frames: 60,

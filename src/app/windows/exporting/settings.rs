@@ -60,7 +60,14 @@ impl Exporter {
         if let Kind::Film(format) = kind {
             self.film(ui, around, height, format);
         }
-        if around.abilities.has_layout() && matches!(kind, Kind::File(format) if format != FileFormat::Svg) {
+        if around.abilities.has_layout() && matches!(kind, Kind::File(_)) {
+            self.layout_settings(ui, kind != Kind::File(FileFormat::Svg), height);
+        }
+    }
+
+    /// The rows of a surface's layout: the scale of its coordinates, and the outline's corners.
+    fn layout_settings(&mut self, ui: &mut Ui, has_scale: bool, height: f32) {
+        if has_scale {
             ui.label(tr(key::coordinates()));
             ui.horizontal(|ui| {
                 for (unit, label, tooltip) in [
@@ -75,6 +82,10 @@ impl Exporter {
             });
             ui.end_row();
         }
+        ui.label(tr(key::corners()));
+        let corners = ui.checkbox(&mut self.request.corners, tr(key::hit_corners()));
+        self.note(key::hit_corners().english(), &corners.on_hover_text(tr(key::hit_corners_tooltip())));
+        ui.end_row();
     }
 
     fn size(&mut self, ui: &mut Ui, around: &Surroundings, height: f32) {
