@@ -13,34 +13,40 @@ struct Vertex {
     @builtin(position) clip: vec4<f32>,
     // relative to the middle of the source's bounds
     @location(0) source: vec2<f32>,
+    @location(1) octave: f32,
 }
 
 @vertex
-fn vs_main(@location(0) position: vec2<f32>, @location(1) texture_coordinate: vec2<f32>) -> Vertex {
+fn vs_main(
+    @location(0) position: vec2<f32>,
+    @location(1) texture_coordinate: vec2<f32>,
+    @location(2) scale: f32,
+) -> Vertex {
     var out: Vertex;
     out.clip = vec4<f32>(position * view.placement.xy + view.placement.zw, 0.0, 1.0);
     out.source = texture_coordinate + view.pattern.lookup.xy;
+    out.octave = octave_at(scale);
     return out;
 }
 
 @fragment
 fn fs_checker(in: Vertex) -> @location(0) vec4<f32> {
-    return vec4<f32>(checker_pattern(in.source), 1.0);
+    return vec4<f32>(checker_pattern(in.source, in.octave), 1.0);
 }
 
 @fragment
 fn fs_grid(in: Vertex) -> @location(0) vec4<f32> {
-    return vec4<f32>(grid_pattern(in.source), 1.0);
+    return vec4<f32>(grid_pattern(in.source, in.octave), 1.0);
 }
 
 @fragment
 fn fs_polar(in: Vertex) -> @location(0) vec4<f32> {
-    return vec4<f32>(polar_pattern(in.source), 1.0);
+    return vec4<f32>(polar_pattern(in.source, in.octave), 1.0);
 }
 
 @fragment
 fn fs_conformal(in: Vertex) -> @location(0) vec4<f32> {
-    return vec4<f32>(conformal_pattern(in.source), 1.0);
+    return vec4<f32>(conformal_pattern(in.source, in.octave), 1.0);
 }
 
 @fragment

@@ -41,7 +41,11 @@ impl RiemapApp {
             Action::Session(command) => self.command(command, context.input(|input| input.time)),
             Action::Undo => self.step(Persistence::undo),
             Action::Redo => self.step(Persistence::redo),
-            Action::New => self.open_session(Session::default()),
+            Action::New => {
+                self.begin_visit();
+                self.open_session(Session::default());
+            }
+            Action::OpenKept(id) => self.open_kept(&id),
             Action::OpenSession => self.pick_file(FilePurpose::Session),
             Action::SaveSession => self.save_session(),
             Action::CopyLink => self.copy_link(context),
@@ -124,6 +128,9 @@ impl RiemapApp {
         };
         if matches!(action, ExploreAction::Tour(_)) {
             self.editor.act(EditAction::Leave, &mut self.model, &mut self.pictures.views);
+        }
+        if matches!(action, ExploreAction::Tour(_) | ExploreAction::LeaveTour { .. }) {
+            self.windows.explore.end_motions(&mut self.player, &self.model);
         }
         let is_walking = self.model.overlay_state().walks.is_running();
         let Consequences { session, walks } = self.windows.explore.act(action, self.model.session(), is_walking);

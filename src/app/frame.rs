@@ -83,6 +83,7 @@ impl RiemapApp {
         self.begin_invariants(context, now);
         self.advance_overlays(context, now);
         self.look_under_pointer(context, now);
+        self.look_at_probe(context, now);
         self.work_on_export(context);
         self.describe(context, now);
         self.keep(context);
@@ -113,6 +114,9 @@ impl RiemapApp {
         if is_held {
             self.player.pause();
         }
+        if let Some(delay) = self.windows.explore.conduct(&mut self.player, &self.model, now) {
+            context.request_repaint_after_secs(delay as f32);
+        }
         for command in self.player.advance(&self.model, now) {
             self.persistence.touch();
             self.model.dispatch(command, now);
@@ -141,7 +145,11 @@ impl RiemapApp {
     /// Sends due requests to the workers. It follows the update of the map, so that an outline being
     /// dragged is prepared again in the frame that shows it.
     fn send_requests(&mut self, context: &egui::Context, now: f64) {
+        self.replace_silent_workers();
         self.workers.send_due(&mut self.model, now);
+        if let Some(delay) = self.workers.silent_in() {
+            context.request_repaint_after_secs(delay as f32);
+        }
         if let Some(due) = self.model.next_due() {
             context.request_repaint_after_secs((due - now).max(0.0) as f32);
         } else if !self.is_resting(now) && self.model.is_mapped() && !self.model.is_ready() {
@@ -209,6 +217,31 @@ impl RiemapApp {
         }
     }
 
+    /// Carries the probe to the target; its integral is prepared in slices while the map rests.
+    fn look_at_probe(&mut self, context: &egui::Context, now: f64) {
+        let handles = &mut self.input.handles;
+        if !self.windows.explore.probes() {
+            (handles.probe, self.pictures.probe) = (None, None);
+            return;
+        }
+        if handles.probe.is_none() && self.model.is_mapped() {
+            handles.probe = self.model.new_probe();
+        }
+        let Some(probe) = handles.probe else { return };
+        let is_free = self.is_resting(now) && self.input.handles.probe_grip.is_none();
+        let is_exact = is_free && self.model.prepare_pointer(Side::Source);
+        if is_free && !is_exact {
+            context.request_repaint();
+        }
+        let is_integral =
+            is_exact && self.model.pointed(Side::Source, probe.center).is_some_and(|at| at.errors.is_some());
+        let known = self.pictures.probe.as_ref();
+        if !known.is_some_and(|image| self.model.is_probe_current(image, probe, is_integral)) {
+            self.pictures.probe = self.model.probe_image(probe);
+            context.request_repaint();
+        }
+    }
+
     fn advance_overlays(&mut self, context: &egui::Context, now: f64) {
         if let Some(delay) = self.model.advance_overlays(now) {
             context.request_repaint_after_secs(delay as f32);
@@ -232,7 +265,7 @@ impl RiemapApp {
 
     /// Uploads, and requests another frame, because the status line was laid out before the change. That frame is
     /// delayed: with a software renderer, it would otherwise postpone the display of this one.
-    fn show_changes(&mut self, context: &egui::Context, changes: Changes) {
+    pub(super) fn show_changes(&mut self, context: &egui::Context, changes: Changes) {
         context.request_repaint_after_secs(WORDS_FOLLOW_AFTER);
         if let Some(gpu) = &mut self.pictures.gpu
             && !gpu.upload(&self.model, changes)

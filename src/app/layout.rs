@@ -28,6 +28,9 @@ const LINK_STRIP: f32 = 28.0;
 /// The share of the screen's height that the open sheet takes in addition to its handle.
 const SHEET_SHARE: f32 = 0.42;
 
+/// The least share of the screen's height for the pictures during the tour.
+const PICTURES_IN_TOUR: f32 = 0.6;
+
 /// What the layout of bars and panels has found out, for the app to store and carry out.
 pub struct LaidOut {
     /// The layout of the screen.
@@ -53,7 +56,9 @@ pub fn show(app: &RiemapApp, ui: &mut Ui) -> LaidOut {
     play_panel::keys(ui, &mut actions);
     if app.screen.panels_open {
         bars(app, ui, narrow, &mut actions);
-        if narrow {
+        if app.windows.explore.is_touring() {
+            // the card of the tour is there
+        } else if narrow {
             pointed = sheet(app, ui, &mut actions);
         } else {
             panel(app, ui, &mut actions);
@@ -65,11 +70,11 @@ pub fn show(app: &RiemapApp, ui: &mut Ui) -> LaidOut {
         let frame = Frame::new().fill(Palette::of(ui.visuals()).panel);
         Panel::bottom("link").exact_size(strip).resizable(false).frame(frame).show(ui, |_| {});
     }
-    if !narrow && app.model.session().plots() {
-        pointed = dock(app, ui, &mut actions);
-    }
     let yields = app.messages.bar.has_message() || app.editor.side().is_some();
     let focused_tour = app.windows.explore.show_tour(ui, yields, &mut actions);
+    if !narrow && app.model.session().plots() && (!app.windows.explore.is_touring() || has_room_for_plots(ui)) {
+        pointed = dock(app, ui, &mut actions);
+    }
     let arrangement = Arrangement::new(ui, narrow);
     message_bar::show(app, ui, &mut actions);
     LaidOut { arrangement, actions, pointed, focused_tour }
@@ -117,7 +122,13 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
 }
 
 fn image_name(app: &RiemapApp) -> Option<&str> {
-    app.pictures.image.as_ref().map(|image| image.name.as_str())
+    app.pictures.image.as_ref().map(|image| image.file.name.as_str())
+}
+
+/// Whether the plots leave the pictures their part of the screen in the tour.
+fn has_room_for_plots(ui: &Ui) -> bool {
+    let left = ui.available_height() - plots::dock_height(ui.available_width(), ui.available_height());
+    left >= PICTURES_IN_TOUR * ui.ctx().content_rect().height()
 }
 
 /// The plots below the viewports; they stay when the panels are hidden. Returns the place under the pointer.

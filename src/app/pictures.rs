@@ -9,7 +9,7 @@ use super::{RiemapApp, editing};
 use crate::app::input::action::Actions;
 use crate::app::panels::header;
 use crate::app::panels::header::Surroundings;
-use crate::app::viewport::{legend, planar};
+use crate::app::viewport::{legend, planar, probe};
 use crate::app::{message_bar, overlays};
 use crate::conformal::Side;
 use crate::render::{Pace, TextureStyle};
@@ -117,12 +117,16 @@ fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
         if let Some(pointed) = app.pictures.pointed.filter(|pointed| pointed.side == side.other()) {
             planar::paint_image_mark(ui, view, pointed.image);
         }
+        if let (Some(at), Some(image)) = (app.input.handles.probe, &app.pictures.probe) {
+            probe::paint(ui, side, view, at, image);
+        }
         marked.inspect(|&at| picture.paint_boundary_mark(ui, side, &app.model, at));
         picture.paint_dots(ui, side, &app.model, &app.input.handles);
     }
     editing::paint(ui, side, view, &app.editor);
     if side == Side::Source
         && !app.input.handles.ever_dragged
+        && !app.windows.explore.is_touring()
         && app.model.shown().is_some()
         && app.editor.side().is_none()
     {

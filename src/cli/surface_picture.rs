@@ -45,7 +45,7 @@ pub fn png(
         unresolved: &[],
         handles: planar_places(domain, x1, anchors[plane]),
     };
-    let style = TextureStyle { pattern: Pattern::Checker, cells: CELLS, bounds: panel.bounds(), pole: x1, dark: true };
+    let style = checker(panel.bounds(), x1);
     // strokes and handles scale with the picture
     let scale = size[1].min(size[0]) as f32 / 900.0;
     let wire =
@@ -75,8 +75,7 @@ pub fn png_of_two(
     size: [u32; 2],
 ) -> Result<Vec<u8>, CliError> {
     let aspect = 0.5 * f64::from(size[0]) / f64::from(size[1]);
-    let bounds = TextureStyle::DISK;
-    let style = TextureStyle { pattern: Pattern::Checker, cells: CELLS, bounds, pole: DVec2::ZERO, dark: true };
+    let style = checker(TextureStyle::DISK, DVec2::ZERO);
     let part = |side: Side| {
         let (surface, point) = (map.side(side).surface()?, constraints.points[side].on_surface()?);
         Some(ScenePart::Space(SurfacePart {
@@ -96,9 +95,13 @@ fn no_plane() -> CliError {
     CliError::Input(String::from("the map has no picture of this kind"))
 }
 
+fn checker(bounds: (DVec2, DVec2), pole: DVec2) -> TextureStyle {
+    TextureStyle { pattern: Pattern::Checker, cells: CELLS, octaves: true, bounds, pole, dark: true }
+}
+
 fn look<'a>(style: TextureStyle, scale: f32) -> Look<'a> {
     let stroke = Some(StrokeStyle::themed(true, scale.max(0.6)));
-    Look { style, background: background(true), image: None, stroke, radius_px: 9.0 * scale.max(0.4) }
+    Look { style, background: background(true), image: None, stroke, radius_px: Some(9.0 * scale.max(0.4)) }
 }
 
 fn drawn(parts: &[ScenePart<'_>], look: &Look<'_>, size: [u32; 2]) -> Result<RgbaImage, CliError> {

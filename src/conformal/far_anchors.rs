@@ -116,8 +116,8 @@ fn search(sides: &PerSide<(&PreparedSide, &HarmonicMeasure)>, within: f64, depth
     }
 }
 
-/// A part of a boundary that is not resolved from the anchor.
-struct FarPart {
+/// A far part of a boundary: a stretch that is not resolved from the anchor.
+struct Stretch {
     /// The vertex of least density.
     knot: usize,
     /// The measure by finite elements.
@@ -135,7 +135,7 @@ struct Pair {
 }
 
 /// The far parts of both sides, in their order, whose measures from the anchor differ by no more than their errors.
-fn pairs(sides: &PerSide<(&PreparedSide, &HarmonicMeasure)>, source: &[FarPart], target: &[FarPart]) -> Vec<Pair> {
+fn pairs(sides: &PerSide<(&PreparedSide, &HarmonicMeasure)>, source: &[Stretch], target: &[Stretch]) -> Vec<Pair> {
     let sum = |of: fn(&SharpMeasure) -> f64| -> f64 {
         Side::BOTH.iter().filter_map(|&side| sides[side].1.sharp()).map(of).sum()
     };
@@ -146,7 +146,7 @@ fn pairs(sides: &PerSide<(&PreparedSide, &HarmonicMeasure)>, source: &[FarPart],
         let [forward, backward] = both(sides.source.1, here.knot);
         let omega = forward.min(backward);
         let scale = (omega / NEAR).min(1.0);
-        let difference = |there: &FarPart| {
+        let difference = |there: &Stretch| {
             let there = both(sides.target.1, there.knot);
             if forward <= backward { (there[0] - forward).abs() } else { (there[1] - backward).abs() }
         };
@@ -174,15 +174,14 @@ fn both(measure: &HarmonicMeasure, knot: usize) -> [f64; 2] {
 
 /// The far parts of a boundary: intervals with almost nothing of the finite-element density, which is positive at any
 /// distance, and those for which the boundary integral leaves nothing.
-fn far_parts((side, measure): (&PreparedSide, &HarmonicMeasure)) -> Vec<FarPart> {
+fn far_parts((side, measure): (&PreparedSide, &HarmonicMeasure)) -> Vec<Stretch> {
     let (density, lengths, m) = (measure.density(), side.edge_lengths(), measure.vertex_count());
     let length = |j: usize| {
         let (from, to) = measure.span(j);
         lengths[measure.vertex_at(j)] * (to - from)
     };
     let [forward, backward] = measure.sums(lengths);
-    let step = |j: usize| 0.5 * length(j) * (density[j] + density[j + 1]);
-    let total: f64 = (0..=m).map(step).sum();
+    let steps = measure.steps(lengths);
     let perimeter: f64 = lengths.iter().sum();
     let is_empty = |j: usize| {
         let backward = measure.sharp().map(SharpMeasure::backward);
@@ -190,15 +189,15 @@ fn far_parts((side, measure): (&PreparedSide, &HarmonicMeasure)) -> Vec<FarPart>
     };
     let mut parts = Vec::new();
     let mut along = 0.0;
-    let mut part = None::<FarPart>;
+    let mut part = None::<Stretch>;
     for j in 0..=m {
         let nearer = forward[j + 1].min(backward[m + 1 - j]);
-        if j > 0 && j < m && (step(j) <= FAR * total * nearer || is_empty(j)) {
+        if j > 0 && j < m && (steps[j] <= FAR * nearer || is_empty(j)) {
             along += length(j);
-            let FarPart { knot, measure, .. } = part.unwrap_or(FarPart { knot: j, measure: 0.0, is_long: false });
+            let Stretch { knot, measure, .. } = part.unwrap_or(Stretch { knot: j, measure: 0.0, is_long: false });
             // the end of the last interval too, where a corner may be
             let knot = if density[j + 1] < density[knot] { j + 1 } else { knot };
-            part = Some(FarPart { knot, measure: measure + step(j) / total, is_long: along >= LONG * perimeter });
+            part = Some(Stretch { knot, measure: measure + steps[j], is_long: along >= LONG * perimeter });
             continue;
         }
         parts.extend(part.take().filter(|_| along >= LEAST_LENGTH * perimeter));

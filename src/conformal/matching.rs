@@ -54,8 +54,8 @@ impl BoundaryCorrespondence {
         self.exact.resize(m, (on_curve, DVec2::ZERO));
     }
 
-    /// Matches anew where both boundaries are far from both points, if the target's measure is from the boundary
-    /// integral: one by finite elements is known in one direction only.
+    /// Matches anew where both boundaries are far from both points. Targets by finite elements, whose measure is known
+    /// in one direction only, are left as they are.
     pub(super) fn match_far(&mut self, far: &[FarAnchor], mapped: Side) {
         let mut nearest = vec![f64::INFINITY; if far.is_empty() { 0 } else { self.points.len() }];
         for FarAnchor { measures, limit } in far {

@@ -90,23 +90,29 @@ impl HarmonicMeasure {
         measure
     }
 
-    /// The measure at the knots, summed from the anchor counter-clockwise and, from the last knot on, clockwise, so
-    /// that both keep their relative accuracy.
-    pub(super) fn sums(&self, edge_lengths: &[f64]) -> [Vec<f64>; 2] {
-        let m = self.vertex_count();
+    /// The measure of each interval by the density, as a share of the whole.
+    pub(super) fn steps(&self, edge_lengths: &[f64]) -> Vec<f64> {
         let step = |j: usize| {
             let (from, to) = self.span(j);
             0.5 * edge_lengths[self.vertex_at(j)] * (to - from) * (self.density[j] + self.density[j + 1])
         };
-        let total: f64 = (0..=m).map(step).sum();
-        let sums = |steps: &mut dyn Iterator<Item = usize>| {
-            let running = steps.scan(0.0, |sum, j| {
-                *sum += step(j) / total;
+        let steps: Vec<f64> = (0..=self.vertex_count()).map(step).collect();
+        let total: f64 = steps.iter().sum();
+        steps.into_iter().map(|step| step / total).collect()
+    }
+
+    /// The measure at the knots, summed from the anchor counter-clockwise and, from the last knot on, clockwise, so
+    /// that both keep their relative accuracy.
+    pub(super) fn sums(&self, edge_lengths: &[f64]) -> [Vec<f64>; 2] {
+        let steps = self.steps(edge_lengths);
+        let sums = |steps: &mut dyn Iterator<Item = &f64>| {
+            let running = steps.scan(0.0, |sum, step| {
+                *sum += step;
                 Some(*sum)
             });
             std::iter::once(0.0).chain(running).collect::<Vec<f64>>()
         };
-        [sums(&mut (0..=m)), sums(&mut (0..=m).rev())]
+        [sums(&mut steps.iter()), sums(&mut steps.iter().rev())]
     }
 
     /// Replaces the values at the knots by those of the boundary integral.

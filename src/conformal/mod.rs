@@ -9,7 +9,8 @@
 //! | Poisson kernel ψ at x | `kernel` | (9), (10), (B.2), by the adjoint solve |
 //! | harmonic measure ω̃ from y | `measure` | (11), (12) |
 //! | boundary correspondence | `matching` | section 3.2, C.4, in a form that does not cancel |
-//! | both by the integral equation on the boundary | `curved` | |
+//! | measure and correspondence by the integral equation on the boundary | `curved` | |
+//! | correspondence of parts with less than 1e-16 of both measures | `far_anchors` | |
 //! | errors of finite elements by comparison with finer meshes | `comparison` | |
 //! | images of the vertices | `extension` | (14) |
 //! | the same by Cauchy's integral | `cauchy_green`, `refinement`, `exact_images` | (7), (15) |

@@ -85,6 +85,9 @@ const OPTION_SAMPLES: [PerSide<u32>; 2] = [PerSide::new(300, 200), PerSide::new(
 const RESHAPED: [Preset; 4] = [Preset::Disk, Preset::Square, Preset::Heart, Preset::Turkey];
 const RESHAPED_SAMPLES: PerSide<u32> = PerSide::new(500, 1000);
 
+/// Squares of the pattern across the source, where a figure has no number of its own.
+pub(super) const SQUARES: f64 = 8.0;
+
 /// x₁ of Figures 6 and 7, x₂ of Figure 7; y₁ = y₂ = (1, 0) is the disk's first point.
 const DISK_POINTS: [DVec2; 2] = [DVec2::new(0.6, 0.2), DVec2::new(0.0, -0.5)];
 
@@ -131,7 +134,8 @@ fn session(presets: PerSide<Preset>, samples: PerSide<u32>, direction: Direction
         let settings = uniform(samples[side]);
         [Command::SetOutline { side, outline }, Command::SetSettings { side, settings }]
     };
-    Session::with(Side::BOTH.into_iter().flat_map(side)).and([Command::SetDirection(direction)])
+    let display = [Command::SetDirection(direction), Command::SetTextureScale(SQUARES)];
+    Session::with(Side::BOTH.into_iter().flat_map(side)).and(display)
 }
 
 /// Commands that set all four points.

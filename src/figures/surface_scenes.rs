@@ -1,6 +1,6 @@
 //! The surfaces, outlines and constraints of Figures 14, 16 and 17, as sessions.
 
-use super::scenes::uniform;
+use super::scenes::{SQUARES, uniform};
 use super::{Detail, Scene, SceneLabel};
 use crate::conformal::Side;
 use crate::geometry::{DVec2, SimplePolygon};
@@ -69,6 +69,7 @@ fn over(outline: OutlineSpec, detail: Detail, preset: SurfacePreset, boundary: u
         Command::SetSettings { side: Side::Source, settings },
         Command::SetSurface { side: Side::Target, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } },
         Command::MoveAnchor { side: Side::Target, fraction: anchor },
+        Command::SetTextureScale(SQUARES),
     ])
 }
 

@@ -90,23 +90,63 @@ impl Model {
 
     /// By the first triangle of the mapped mesh that holds the point. O(triangles).
     fn pointed_in_mesh(&self, side: Side, point: DVec2) -> Option<PointedImage> {
+        let (image, derivative) = self.carrying_triangles(side)?.find_map(|triangle| triangle.carry(point))?;
+        Some(PointedImage { side, point, image, derivative, errors: None })
+    }
+
+    /// The images of points that lie together, by the first triangle that holds each; `None` outside of the mesh.
+    /// O(triangles + points · triangles at these points).
+    pub(super) fn images_in_mesh(&self, side: Side, points: &[DVec2]) -> Vec<Option<DVec2>> {
+        let mut images = vec![None; points.len()];
+        let low = points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
+        let high = points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
+        let near = |triangle: &CarryingTriangle| triangle.overlaps(low, high);
+        for triangle in self.carrying_triangles(side).into_iter().flatten().filter(near) {
+            for (image, &point) in images.iter_mut().zip(points).filter(|(image, _)| image.is_none()) {
+                *image = triangle.carry(point).map(|(image, _)| image);
+            }
+        }
+        images
+    }
+
+    fn carrying_triangles(&self, side: Side) -> Option<impl Iterator<Item = CarryingTriangle>> {
         let shown = self.shown()?;
         let (from, onto) = (shown.places(side)?, shown.places(side.other())?);
-        shown.triangles.iter().find_map(|corners| {
-            let [a, b, c] = corners.map(|v| from[v as usize]);
-            let (u, v) = (b - a, c - a);
-            let area = u.perp_dot(v);
-            let (s, t) = ((point - a).perp_dot(v) / area, u.perp_dot(point - a) / area);
-            if !(area > 0.0 && s >= 0.0 && t >= 0.0 && s + t <= 1.0) {
-                return None;
-            }
-            let [p, q, r] = corners.map(|v| onto[v as usize]);
-            let (along, across) = (q - p, r - p);
-            // ∂f/∂x and ∂f/∂y
-            let (x, y) = ((v.y * along - u.y * across) / area, (u.x * across - v.x * along) / area);
-            let derivative = 0.5 * DVec2::new(x.x + y.y, x.y - y.x);
-            Some(PointedImage { side, point, image: p + s * along + t * across, derivative, errors: None })
-        })
+        let of = |corners: &[u32; 3]| CarryingTriangle {
+            from: corners.map(|v| from[v as usize]),
+            onto: corners.map(|v| onto[v as usize]),
+        };
+        Some(shown.triangles.iter().map(of))
+    }
+}
+
+/// A triangle and its image.
+struct CarryingTriangle {
+    from: [DVec2; 3],
+    onto: [DVec2; 3],
+}
+
+impl CarryingTriangle {
+    /// Whether its box meets that from `low` to `high`.
+    fn overlaps(&self, low: DVec2, high: DVec2) -> bool {
+        let [a, b, c] = self.from;
+        a.min(b).min(c).cmple(high).all() && a.max(b).max(c).cmpge(low).all()
+    }
+
+    /// The image of a point and the part of the linear map that keeps angles; `None` outside.
+    fn carry(&self, point: DVec2) -> Option<(DVec2, DVec2)> {
+        let [a, b, c] = self.from;
+        let (u, v) = (b - a, c - a);
+        let area = u.perp_dot(v);
+        let (s, t) = ((point - a).perp_dot(v) / area, u.perp_dot(point - a) / area);
+        if !(area > 0.0 && s >= 0.0 && t >= 0.0 && s + t <= 1.0) {
+            return None;
+        }
+        let [p, q, r] = self.onto;
+        let (along, across) = (q - p, r - p);
+        // ∂f/∂x and ∂f/∂y
+        let (x, y) = ((v.y * along - u.y * across) / area, (u.x * across - v.x * along) / area);
+        Some((p + s * along + t * across, 0.5 * DVec2::new(x.x + y.y, x.y - y.x)))
     }
 }
 

@@ -1,8 +1,9 @@
 //! The smallest right singular vector of a matrix that grows by columns, and least squares with it.
 //!
 //! A thin QR factorization is extended by modified Gram–Schmidt with reorthogonalization, whose loss of orthogonality
-//! is that of Householder's (Giraud, Langou and Rozložník 2005), and which reads each column once a round; the vector comes from inverse iteration with Rᴴ R,
-//! whose condition is that of the matrix, not of its square. O(m n) for a column, O(n²) for a vector.
+//! is that of Householder's (Giraud, Langou and Rozložník 2005), and which reads each column once a round; the vector
+//! comes from inverse iteration with Rᴴ R, whose condition is that of the matrix, not of its square. O(m n) for a
+//! column, O(n²) for a vector.
 
 use num_complex::Complex64;
 

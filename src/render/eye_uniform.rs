@@ -24,7 +24,7 @@ impl EyeUniform {
         clip.w_axis /= frame.unit;
         let turn = DMat3::from_quat(camera.rotation.inverse());
         let (near, far) = camera.depths();
-        let lift = lift_px * 2.0 * (0.5 * camera.field_of_view).tan() / height;
+        let lift = lift_px * camera.units_per_pixel_at_one(size_px);
         Self {
             clip: clip.to_cols_array_2d().map(|column| column.map(|x| x as f32)),
             turn: turn.to_cols_array_2d().map(|[x, y, z]| [x as f32, y as f32, z as f32, 0.0]),

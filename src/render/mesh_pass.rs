@@ -2,9 +2,11 @@
 //! `shaders/mesh.wgsl`.
 //!
 //! Vertex positions and texture coordinates live in two buffers, since each
-//! frame of a drag changes only one of them.
+//! frame of a drag changes only one of them, and the local scale between them in a third. They are kept in f64 too, from
+//! which the scale is computed; images that the GPU computes leave it as it is.
 
 use super::gpu::{self, GrowingBuffer, PipelineSpec, Uniform};
+use super::local_scale::{LocalScale, double_area};
 use super::pattern_uniform::{PATTERN_FRAGMENTS, PatternUniform, pattern_index};
 use super::{Camera, MeshGeometry, Pattern, TextureStyle, placement};
 use glam::DVec2;
@@ -30,7 +32,10 @@ pub struct MeshBuffers {
     uniform: Uniform,
     positions: GrowingBuffer,
     texture_coordinates: GrowingBuffer,
+    scales: GrowingBuffer,
     indices: GrowingBuffer,
+    points: [Vec<DVec2>; 2],
+    scale: LocalScale,
     vertex_count: usize,
     index_count: u32,
     position_origin: DVec2,
@@ -58,7 +63,9 @@ impl MeshPass {
         );
         let position = wgpu::vertex_attr_array![0 => Float32x2];
         let texture_coordinate = wgpu::vertex_attr_array![1 => Float32x2];
-        let buffers = [Some(points_of(&position)), Some(points_of(&texture_coordinate))];
+        let scale = wgpu::vertex_attr_array![2 => Float32];
+        let buffers = [(&position[..], 8), (&texture_coordinate[..], 8), (&scale[..], 4)]
+            .map(|buffer| Some(attributes_of(buffer)));
         let pipelines = PATTERN_FRAGMENTS.map(|fragment| {
             let spec = PipelineSpec {
                 label: fragment,
@@ -82,7 +89,10 @@ impl MeshPass {
             uniform: Uniform::new(device, &self.layout, size_of::<MeshUniform>()),
             positions: GrowingBuffer::new(wgpu::BufferUsages::VERTEX),
             texture_coordinates: GrowingBuffer::new(wgpu::BufferUsages::VERTEX),
+            scales: GrowingBuffer::new(wgpu::BufferUsages::VERTEX),
             indices: GrowingBuffer::new(wgpu::BufferUsages::INDEX),
+            points: [const { Vec::new() }; 2],
+            scale: LocalScale::default(),
             vertex_count: 0,
             index_count: 0,
             position_origin: DVec2::ZERO,
@@ -92,8 +102,8 @@ impl MeshPass {
 
     /// Draws `mesh`, whose uniform block was written for this frame.
     pub fn draw(&self, pass: &mut wgpu::RenderPass, mesh: &MeshBuffers, pattern: Pattern, image: &wgpu::BindGroup) {
-        let (Some(positions), Some(coordinates), Some(indices)) =
-            (mesh.positions.get(), mesh.texture_coordinates.get(), mesh.indices.get())
+        let (Some(positions), Some(coordinates), Some(scales), Some(indices)) =
+            (mesh.positions.get(), mesh.texture_coordinates.get(), mesh.scales.get(), mesh.indices.get())
         else {
             return;
         };
@@ -102,13 +112,17 @@ impl MeshPass {
         pass.set_bind_group(1, image, &[]);
         pass.set_vertex_buffer(0, positions.slice(..));
         pass.set_vertex_buffer(1, coordinates.slice(..));
+        pass.set_vertex_buffer(2, scales.slice(..));
         pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..mesh.index_count, 0, 0..1);
     }
 }
 
-fn points_of(attributes: &[wgpu::VertexAttribute]) -> wgpu::VertexBufferLayout<'_> {
-    wgpu::VertexBufferLayout { array_stride: 8, step_mode: wgpu::VertexStepMode::Vertex, attributes }
+/// A buffer of attributes by vertex, of this many bytes each.
+pub(super) fn attributes_of(
+    (attributes, array_stride): (&[wgpu::VertexAttribute], u64),
+) -> wgpu::VertexBufferLayout<'_> {
+    wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes }
 }
 
 impl MeshBuffers {
@@ -128,6 +142,8 @@ impl MeshBuffers {
         }
         self.index_count = 0;
         self.vertex_count = geometry.positions.len();
+        self.points = [geometry.positions.to_vec(), geometry.texture_coordinates.to_vec()];
+        self.scale.set(self.vertex_count, geometry.triangles);
         if geometry.triangles.is_empty() {
             return true;
         }
@@ -135,7 +151,8 @@ impl MeshBuffers {
         let positions = self.positions.write(device, queue, staging);
         self.texture_origin = gpu::stage_points(staging, geometry.texture_coordinates);
         let coordinates = self.texture_coordinates.write(device, queue, staging);
-        let complete = positions && coordinates && self.indices.write(device, queue, geometry.triangles);
+        let scales = self.scales.write(device, queue, compute(&mut self.scale, &self.points));
+        let complete = positions && coordinates && scales && self.indices.write(device, queue, geometry.triangles);
         if complete {
             self.index_count = 3 * geometry.triangles.len() as u32;
         }
@@ -149,6 +166,7 @@ impl MeshBuffers {
         }
         self.position_origin = gpu::stage_points(staging, points);
         self.positions.overwrite(queue, staging);
+        self.move_points(queue, 0, points);
         true
     }
 
@@ -164,7 +182,14 @@ impl MeshBuffers {
         }
         self.texture_origin = gpu::stage_points(staging, points);
         self.texture_coordinates.overwrite(queue, staging);
+        self.move_points(queue, 1, points);
         true
+    }
+
+    /// Replaces the positions (0) or the texture coordinates (1) that the local scale is computed from.
+    fn move_points(&mut self, queue: &wgpu::Queue, which: usize, points: &[DVec2]) {
+        self.points[which].clone_from_slice(points);
+        self.scales.overwrite(queue, compute(&mut self.scale, &self.points));
     }
 
     /// As [`Self::set_positions`], from a buffer of f32 pairs relative to `origin`.
@@ -193,14 +218,16 @@ impl MeshBuffers {
     /// Writes the uniform block of a frame.
     pub fn write_frame(&self, queue: &wgpu::Queue, frame: &MeshFrame) {
         let MeshFrame { camera, size_px, style, image_aspect, line_px } = *frame;
-        self.uniform.write(
-            queue,
-            &MeshUniform {
-                placement: placement::to_clip(camera, self.position_origin, size_px),
-                pattern: PatternUniform::new(style, self.texture_origin, image_aspect, line_px),
-            },
-        );
+        let pattern = PatternUniform::new(style, self.texture_origin, image_aspect, line_px);
+        let pattern = pattern.in_octaves(style, size_px, camera.units_per_pixel);
+        let placement = placement::to_clip(camera, self.position_origin, size_px);
+        self.uniform.write(queue, &MeshUniform { placement, pattern });
     }
+}
+
+/// The local scale of these positions and texture coordinates.
+fn compute<'a>(scale: &'a mut LocalScale, [positions, coordinates]: &[Vec<DVec2>; 2]) -> &'a [f32] {
+    scale.compute(|corners| double_area(coordinates, corners), |corners| double_area(positions, corners))
 }
 
 /// Copies the pairs; false if the sizes do not fit.

@@ -26,6 +26,7 @@ mod eye_uniform;
 mod film;
 mod gpu;
 mod image_texture;
+mod local_scale;
 mod mesh_pass;
 mod messages;
 mod orbit_camera;
@@ -60,6 +61,7 @@ pub use gpu::{Graphics, Target, sample_count};
 #[cfg(not(target_arch = "wasm32"))]
 pub use headless::{Studio, headless_device, render_scene, render_scene_with};
 pub use image_texture::on_paper;
+pub use local_scale::{LocalScale, double_area};
 pub use orbit_camera::{BoundingSphere, OrbitCamera};
 pub use png_file::PngFile;
 pub use readback::{Readback, guarded};

@@ -165,6 +165,11 @@ impl OrbitCamera {
         2.0 * self.distance * (0.5 * self.field_of_view).tan() / size.y
     }
 
+    /// The length of a pixel at distance 1 from the eye, in any unit of length.
+    pub(super) fn units_per_pixel_at_one(&self, size_px: [u32; 2]) -> f64 {
+        2.0 * (0.5 * self.field_of_view).tan() / f64::from(size_px[1])
+    }
+
     /// World → clip coordinates: depth from 0 (near) to 1 (far), with the scene between them.
     pub fn view_projection(&self, aspect: f64) -> DMat4 {
         let (near, far) = self.depths();

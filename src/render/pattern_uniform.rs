@@ -1,7 +1,7 @@
 //! The uniform block of a pattern for `shaders/pattern.wgsl`, for meshes in the plane and in space.
 
 use super::style::{HUE, PAPER};
-use super::{Pattern, TextureStyle};
+use super::{Camera, Pattern, TextureStyle};
 use crate::geometry::PictureFrame;
 use glam::DVec2;
 
@@ -34,7 +34,7 @@ pub struct PatternUniform {
 
 impl PatternUniform {
     /// For texture coordinates relative to `origin`, an image with this ratio of width to height, and thin lines
-    /// of `line_px` pixels.
+    /// of `line_px` pixels. Without octaves: see [`Self::in_octaves`].
     pub fn new(style: &TextureStyle, origin: DVec2, image_aspect: f64, line_px: f32) -> Self {
         let (low, high) = style.bounds;
         let (middle, extent) = (0.5 * (low + high), (high - low).max(DVec2::splat(f64::MIN_POSITIVE)));
@@ -58,4 +58,23 @@ impl PatternUniform {
             paper: PAPER,
         }
     }
+
+    /// The same with octaves, if the style has them, in a picture of `size_px` of which a pixel is as long as this many
+    /// units of the drawn mesh.
+    pub fn in_octaves(mut self, style: &TextureStyle, size_px: [u32; 2], units_per_pixel: f64) -> Self {
+        if style.octaves {
+            self.image[2] = 1.0;
+            self.image[3] = (units_per_pixel / ordinary_scale(style, size_px)).log2() as f32;
+        }
+        self
+    }
+}
+
+/// The part of a picture's sides that the whole domain takes in it, with margins and what lies over the picture: 0.78
+/// to 0.9 of the width or of the height in the app's windows.
+const FILLED: f64 = 0.85;
+
+/// Units of the domain per pixel in a picture of all of it.
+fn ordinary_scale(style: &TextureStyle, size_px: [u32; 2]) -> f64 {
+    Camera::fit(style.bounds, size_px.map(|side| side as f32), 0.0).units_per_pixel / FILLED
 }

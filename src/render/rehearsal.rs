@@ -22,6 +22,7 @@ impl ViewportRenderer {
             style: TextureStyle {
                 pattern: Pattern::default(),
                 cells: 4.0,
+                octaves: true,
                 bounds: (DVec2::ZERO, DVec2::ONE),
                 pole: DVec2::ZERO,
                 dark: true,

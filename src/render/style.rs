@@ -50,6 +50,9 @@ pub struct TextureStyle {
     pub pattern: Pattern,
     /// Cells across the larger extent of `bounds`, positive.
     pub cells: f64,
+    /// Whether cells are divided and joined by powers of two where the map or the camera shows them larger or smaller
+    /// than a picture of the whole of `bounds` would, so that they keep a visible size. Not for images.
+    pub octaves: bool,
     /// Lower left and upper right corner of that domain.
     pub bounds: (DVec2, DVec2),
     /// The center of the polar grid: that domain's interior point.
@@ -77,10 +80,10 @@ impl StrokeStyle {
     }
 
     /// The mesh's edges: thin, and faint enough not to hide what they are drawn over,
-    /// light over dark colors or dark over light ones.
+    /// light over dark colors or dark over light ones, which blend to a thinner look.
     pub fn wire(light: bool, pixels_per_point: f32) -> Self {
-        let colour = if light { [1.0, 1.0, 1.0, 0.38] } else { [0.03, 0.05, 0.08, 0.6] };
-        Self { colour, width_px: 0.9 * pixels_per_point }
+        let colour = if light { [1.0, 1.0, 1.0, 0.38] } else { [0.03, 0.05, 0.08, 0.75] };
+        Self { colour, width_px: pixels_per_point }
     }
 }
 
@@ -146,6 +149,7 @@ mod tests {
         let style = TextureStyle {
             pattern: Pattern::Checker,
             cells: 8.0,
+            octaves: false,
             bounds: (DVec2::new(0.0, -1.0), DVec2::new(1.0, 3.0)),
             pole: DVec2::ZERO,
             dark: true,

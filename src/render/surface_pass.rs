@@ -8,10 +8,12 @@ use super::cell_lookup::{Lookup, palette_groups};
 use super::cell_pass::EdgeUniform;
 use super::eye_uniform::EyeUniform;
 use super::gpu::{self, Depth, GrowingBuffer, PipelineSpec, Uniform};
+use super::local_scale::{LocalScale, double_area};
+use super::mesh_pass::attributes_of;
 use super::pattern_uniform::{PATTERN_FRAGMENTS, PatternUniform, pattern_index};
 use super::space_vertices::{self, LocalFrame, SpaceVertex};
 use super::{CellCode, CellStyle, ColourMap, OrbitCamera, Pattern, SurfaceGeometry, TextureStyle};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 /// Edges are drawn nearer to the eye than their triangles, by the length of this many pixels.
 const EDGE_LIFT_PX: f64 = 0.75;
@@ -52,6 +54,10 @@ pub struct SurfaceBuffers {
     cell_uniform: Uniform,
     vertices: GrowingBuffer,
     coordinates: GrowingBuffer,
+    scales: GrowingBuffer,
+    /// The places in the local frame, for the local scale.
+    places: Vec<DVec3>,
+    scale: LocalScale,
     indices: GrowingBuffer,
     /// The vertex at every corner of the cells: the indices again, since WebGL cannot bind an index buffer as vertices.
     corners: GrowingBuffer,
@@ -92,6 +98,9 @@ impl SurfacePass {
             cell_uniform: Uniform::new(device, &self.layout, size_of::<SurfaceCellUniform>()),
             vertices: GrowingBuffer::new(wgpu::BufferUsages::VERTEX),
             coordinates: GrowingBuffer::new(wgpu::BufferUsages::VERTEX),
+            scales: GrowingBuffer::new(wgpu::BufferUsages::VERTEX),
+            places: Vec::new(),
+            scale: LocalScale::default(),
             indices: GrowingBuffer::new(wgpu::BufferUsages::INDEX),
             corners: GrowingBuffer::new(wgpu::BufferUsages::VERTEX),
             lookup: None,
@@ -113,12 +122,15 @@ impl SurfacePass {
     ) -> bool {
         let SurfaceGeometry { positions, triangles, .. } = *geometry;
         (surface.vertex_count, surface.triangle_count) = (positions.len(), 0);
+        surface.scale.set(positions.len(), triangles);
         if triangles.is_empty() {
             return true;
         }
         surface.frame = space_vertices::stage(staging, positions, triangles);
+        surface.places = positions.iter().map(|p| (*p - surface.frame.origin) / surface.frame.unit).collect();
         let blank = vec![[0.0_f32; 2]; positions.len()];
         let complete = surface.vertices.write(device, queue, staging)
+            && surface.scales.write(device, queue, &vec![0.0_f32; positions.len()])
             && surface.coordinates.write(device, queue, &blank)
             && surface.indices.write(device, queue, triangles)
             && surface.corners.write(device, queue, triangles)
@@ -144,8 +156,8 @@ impl SurfacePass {
         pattern: Pattern,
         image: &wgpu::BindGroup,
     ) {
-        let (Some(vertices), Some(coordinates), Some(indices)) =
-            (surface.vertices.get(), surface.coordinates.get(), surface.indices.get())
+        let (Some(vertices), Some(coordinates), Some(scales), Some(indices)) =
+            (surface.vertices.get(), surface.coordinates.get(), surface.scales.get(), surface.indices.get())
         else {
             return;
         };
@@ -154,6 +166,7 @@ impl SurfacePass {
         pass.set_bind_group(1, image, &[]);
         pass.set_vertex_buffer(0, vertices.slice(..));
         pass.set_vertex_buffer(1, coordinates.slice(..));
+        pass.set_vertex_buffer(2, scales.slice(..));
         pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..3 * surface.triangle_count as u32, 0, 0..1);
     }
@@ -198,6 +211,9 @@ impl SurfaceBuffers {
         }
         self.coordinate_origin = gpu::stage_points(staging, points);
         self.coordinates.overwrite(queue, staging);
+        let places = &self.places;
+        let drawn = |[a, b, c]: [usize; 3]| (places[b] - places[a]).cross(places[c] - places[a]).length();
+        self.scales.overwrite(queue, self.scale.compute(|corners| double_area(points, corners), drawn));
         true
     }
 
@@ -211,7 +227,10 @@ impl SurfaceBuffers {
     /// Writes the uniform blocks of a frame.
     pub fn write_frame(&self, queue: &wgpu::Queue, view: &SurfaceView) {
         let eye = |light| EyeUniform::new(view.camera, self.frame, view.size_px, EDGE_LIFT_PX, light);
-        let pattern = PatternUniform::new(view.style, self.coordinate_origin, view.image_aspect, view.line_px);
+        let SurfaceView { style, size_px, image_aspect, line_px, .. } = *view;
+        let pattern = PatternUniform::new(style, self.coordinate_origin, image_aspect, line_px);
+        // lengths and distances in the frame's unit
+        let pattern = pattern.in_octaves(style, size_px, view.camera.units_per_pixel_at_one(size_px));
         self.uniform.write(queue, &SurfaceUniform { eye: eye(LIGHT), pattern });
         if let Some(style) = view.cells {
             self.cell_uniform
@@ -233,9 +252,8 @@ fn textured_pipelines(
     let shader = gpu::shader(device, "surface", source);
     let vertex = wgpu::vertex_attr_array![0 => Float32x4];
     let coordinate = wgpu::vertex_attr_array![1 => Float32x2];
-    let buffers = [(&vertex, 16), (&coordinate, 8)].map(|(attributes, array_stride)| {
-        Some(wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes })
-    });
+    let scale = wgpu::vertex_attr_array![2 => Float32];
+    let buffers = [(&vertex[..], 16), (&coordinate[..], 8), (&scale[..], 4)].map(|buffer| Some(attributes_of(buffer)));
     PATTERN_FRAGMENTS.map(|fragment| {
         let spec = PipelineSpec {
             label: fragment,

@@ -24,13 +24,17 @@ pub(super) struct Display {
     pub(super) picture: PicturePlacement,
 }
 
+/// Squares across a domain at the start: about 25 points wide in a window of 1280×720, so that their shape is seen in the
+/// gingerbread man's arms.
+const DEFAULT_CELLS: f64 = 20.0;
+
 impl Default for Display {
     fn default() -> Self {
         Self {
             direction: Direction::default(),
             extension: Extension::default(),
             texture: TextureKind::default(),
-            texture_scale: 8.0,
+            texture_scale: DEFAULT_CELLS,
             texture_side: Side::Source,
             colouring: Colouring::default(),
             wireframe: false,

@@ -51,7 +51,7 @@ withOneBackend('sessions', (bench) => {
     bench.withApp(async (app) => {
       const start = await app.session();
       const first = await app.otherAddress(bench.address());
-      await app.openSession({ texture_scale: 20 });
+      await app.openSession({ texture_scale: 16 });
       await app.otherAddress(first);
       await app.paste(new URL(first).hash);
       await app.until('the link is opened', (stats) => stats.ready && stats.undo === 2);
@@ -93,7 +93,7 @@ withOneBackend('sessions', (bench) => {
       await app.openSession({ texture_scale: 5 });
       await app.otherAddress(second);
       await app.loadFile('source', name, bytes);
-      await app.until('the file is opened', (stats) => stats.ready && stats.undo === 3);
+      await app.until('the file is opened with its steps', (stats) => stats.ready && stats.undo === 4);
       assert.deepEqual(await app.session(), saved);
     }),
   );

@@ -11,6 +11,7 @@ mod cauchy_green;
 mod cells;
 mod live;
 mod numbers;
+mod octaves;
 mod pictures;
 mod support;
 mod surface;

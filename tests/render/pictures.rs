@@ -50,12 +50,13 @@ fn test_card() -> RgbaImage {
 }
 
 /// The disk and its image under a Möbius map, with boundary and handles.
-fn disk_pair(gpu: &Gpu, pattern: Pattern) -> RgbaImage {
+fn disk_pair(gpu: &Gpu, pattern: Pattern, octaves: bool) -> RgbaImage {
     let disk = disk(40, 128);
     let a = DVec2::new(0.45, 0.3);
     let mapped: Vec<DVec2> = disk.points.iter().map(|&z| moebius(z, a, 0.4)).collect();
     let mut style = style(pattern, 12.0);
     style.pole = a;
+    style.octaves = octaves;
     let handles = |interior, boundary| {
         [
             Handle { position: interior, colour: GREEN, radius_px: 6.0 },
@@ -111,7 +112,20 @@ fn pictures_of_the_disk_under_a_moebius_map_are_as_committed() {
         ("disk-conformal", Pattern::Conformal),
         ("disk-image", Pattern::Image),
     ] {
-        compare(name, &disk_pair(gpu, pattern));
+        compare(name, &disk_pair(gpu, pattern, false));
+    }
+}
+
+#[test]
+fn pictures_of_the_disk_in_octaves_are_as_committed() {
+    let Some(gpu) = gpu() else { return };
+    for (name, pattern) in [
+        ("octaves-checker", Pattern::Checker),
+        ("octaves-grid", Pattern::Grid),
+        ("octaves-polar", Pattern::Polar),
+        ("octaves-conformal", Pattern::Conformal),
+    ] {
+        compare(name, &disk_pair(gpu, pattern, true));
     }
 }
 

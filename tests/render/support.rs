@@ -39,7 +39,7 @@ pub fn assert_pixel(image: &RgbaImage, [x, y]: [u32; 2], expected: [u8; 4], tole
 
 /// The texture of a source in [−1, 1]².
 pub fn style(pattern: Pattern, cells: f64) -> TextureStyle {
-    TextureStyle { pattern, cells, bounds: (-DVec2::ONE, DVec2::ONE), pole: DVec2::ZERO, dark: true }
+    TextureStyle { pattern, cells, octaves: false, bounds: (-DVec2::ONE, DVec2::ONE), pole: DVec2::ZERO, dark: true }
 }
 
 /// The square [−1, 1]², whose positions are its texture coordinates.

@@ -1,10 +1,11 @@
-//! The four dots x₁, y₁, x₂, y₂: hit test, drag, focus and pulse.
+//! The four dots x₁, y₁, x₂, y₂: hit test, drag, focus and pulse; and the probe.
 //!
 //! A drag keeps the offset from the pointer to the dot, so that the dot does not jump when it is grabbed.
 //! The nearest dot within [`GRAB_RADIUS`] is hit; a tie goes to the interior point.
 
 use crate::conformal::Side;
 use crate::geometry::DVec2;
+use crate::model::Probe;
 use egui::{Pos2, Vec2};
 
 /// The radius of a dot on the screen, in points, without its ring.
@@ -70,6 +71,13 @@ pub struct Grip {
     pub offset: Vec2,
 }
 
+/// The circle of the source while it is dragged.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProbeGrip {
+    /// From the pointer to the circle's center when the drag began.
+    pub offset: Vec2,
+}
+
 /// A point of a planar picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pointed {
@@ -96,6 +104,10 @@ pub struct HandleState {
     pub hovered: Option<Handle>,
     /// The point of a domain under the pointer, or the one that was clicked last.
     pub pointed: Option<Pointed>,
+    /// The circle whose image is shown.
+    pub probe: Option<Probe>,
+    /// The drag of this circle.
+    pub probe_grip: Option<ProbeGrip>,
     /// The pulsing dot and the start of its pulse, in seconds.
     pulse: Option<(Handle, f64)>,
     /// Whether a dot was ever dragged or focused; from then on the hint is not shown.

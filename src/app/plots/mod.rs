@@ -7,6 +7,7 @@
 mod chart;
 mod convergence;
 mod ladder;
+mod legend;
 
 pub use convergence::convergence_chart;
 pub use ladder::ladder_chart;

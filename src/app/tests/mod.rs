@@ -9,6 +9,7 @@ mod locks;
 mod panels;
 mod playing;
 mod surfaces;
+mod tour;
 
 use super::*;
 use crate::app::language::words;

@@ -97,7 +97,8 @@ pub fn paint_mark(ui: &Ui, painter: &Painter, side: Side, place: Pos2) {
     painter.circle_filled(place, 4.5, Plots::inks(ui.visuals().dark_mode)[side]);
 }
 
-fn paint_words(ui: &Ui, painter: &Painter, words: String, place: Pos2) {
+/// Paints words above a place, or below it where there is no room.
+pub fn paint_words(ui: &Ui, painter: &Painter, words: String, place: Pos2) {
     let palette = Palette::of(ui.visuals());
     let galley = painter.layout_no_wrap(words, caption_font(ui), palette.text);
     let size = galley.size() + vec2(16.0, 8.0);

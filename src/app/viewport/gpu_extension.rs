@@ -61,8 +61,15 @@ impl GpuExtension {
         let Some((_, buffers)) = &mut self.mapped else { return false };
         let RenderState { device, queue, .. } = state;
         let Some(other) = map.domain(map.mapped_side().other()) else { return false };
+        // the pattern's octaves follow the map's own images
+        let uploaded = if side == map.mapped_side() {
+            renderer.set_texture_coordinates(queue, VIEWPORTS[side], map.images())
+        } else {
+            renderer.set_positions(queue, VIEWPORTS[side], map.images())
+        };
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("extension") });
-        let recorded = self.pass.evaluate(queue, &mut encoder, buffers, map.correspondence().images(other.samples()))
+        let recorded = uploaded
+            && self.pass.evaluate(queue, &mut encoder, buffers, map.correspondence().images(other.samples()))
             && if side == map.mapped_side() {
                 renderer.copy_texture_coordinates(&mut encoder, VIEWPORTS[side], buffers)
             } else {

@@ -10,6 +10,7 @@
 //! | dragging and painting the dots | `dots` |
 //! | the marks at an outline's corners | `corners` |
 //! | moving the texture's picture | `picture_gestures` |
+//! | a small circle with a cross, and its image | `probe` |
 //! | uploads to the GPU and drawing | `gpu`, `gpu_extension`, `cells` |
 //! | the legend of triangle colors | `legend` |
 
@@ -23,5 +24,6 @@ pub mod picture;
 mod picture_gestures;
 pub mod pictures;
 pub mod planar;
+pub mod probe;
 pub mod surface;
 pub mod view;

@@ -17,6 +17,7 @@ use crate::app::viewport::dots::Dot;
 use crate::app::viewport::gpu::ViewportCallback;
 use crate::app::viewport::picture::Picture;
 use crate::app::viewport::picture_gestures;
+use crate::app::viewport::probe;
 use crate::app::viewport::view::View;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
@@ -60,10 +61,12 @@ pub fn interact(
         return None;
     }
     drag_dots(ui, &response, side, model, view, handles, actions);
+    let holds_probe = probe::interact(ui, &response, side, model, view, handles);
+    let is_held = handles.grip.is_some() || holds_probe;
     if places_picture {
-        picture_gestures::drag(ui, &response, side, model, view, handles.grip.is_some(), actions);
+        picture_gestures::drag(ui, &response, side, model, view, is_held, actions);
     } else {
-        move_camera(ui, &response, view, handles.grip.is_some(), handles.hovered.is_none());
+        move_camera(ui, &response, view, is_held, handles.hovered.is_none());
     }
     let is_over = handles.grip.is_some() || handles.hovered.is_some();
     corners::interact(ui, &response, side, model, view, is_over, actions);

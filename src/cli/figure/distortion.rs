@@ -143,6 +143,7 @@ impl<'a> Colored<'a> {
         let style = TextureStyle {
             pattern: Pattern::Image,
             cells: 1.0,
+            octaves: false,
             bounds: (DVec2::ZERO, DVec2::ONE),
             pole: DVec2::ZERO,
             dark: false,

@@ -29,7 +29,9 @@ pub fn style(session: &Session, outline: &[DVec2], pole: DVec2) -> TextureStyle 
         // no figure uses the conformal grid, which would need disk coordinates
         TextureKind::Polar | TextureKind::Conformal => Pattern::Polar,
     };
-    TextureStyle { pattern, cells: session.texture_scale(), bounds: (low, high), pole, dark: false }
+    let cells = session.texture_scale();
+    // the paper's cells are those of the source, whatever their size on the target
+    TextureStyle { pattern, cells, octaves: false, bounds: (low, high), pole, dark: false }
 }
 
 /// The map of a scene, fully computed, with its distortion.

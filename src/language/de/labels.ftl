@@ -41,6 +41,8 @@ angle_distortion = Winkelverzerrung Q = σ₁/σ₂
 
 boundary_samples_m = Randpunkte m
 error = Fehler
+fitted_order = Ordnung { $order }
+of_paper = { $column } (Artikel)
 max = Maximum
 mean = Mittel
 convergence_about = Abstand der Randbilder von den exakten, V-Form → Klecks; der Klecks ist etwa 2 breit.
@@ -127,6 +129,8 @@ undo = Rückgängig
 undo_tooltip = Den letzten Schritt zurücknehmen; ein Zug ist ein Schritt
 redo = Wiederholen
 redo_tooltip = Den Schritt noch einmal tun
+recent_sessions = Zuletzt
+recent_tooltip = Die Sitzung, wie sie verlassen wurde, mit Schritten zum Rückgängigmachen, Flächen und Bild
 new_session = Neu
 new_session_tooltip = Wieder mit dem ersten Bild beginnen; lässt sich rückgängig machen
 open = Öffnen…
@@ -462,7 +466,7 @@ with_psi = mit Ψ
 zipper = Zipper
 bff_paper = BFF, Artikel
 psi_match_x1_moves = ψ + Abgleich, x₁ bewegt
-x2_moves = x₂ bewegt
+x2_moves = ψ + Abgleich, x₂ bewegt
 extend = Fortsetzung
 stage_mesh = vernetzen
 
@@ -487,6 +491,9 @@ transparent_tooltip = Ohne die Farbe hinter der Abbildung
 corners = Ecken
 hit_corners = Genau treffen
 hit_corners_tooltip = Die Randkanten der Fläche werden dort geteilt, wo die Ecken des Umrisses liegen, damit keine Ecke leer bleibt. Neue Eckpunkte stehen hinter denen der Datei.
+dots = Punkte
+both_points = Innerer Punkt und Randpunkt
+both_points_tooltip = Die Punkte x und y auf beiden Seiten
 coordinates = Koordinaten
 size = Größe
 width_pixels = Breite in Pixeln
@@ -612,7 +619,7 @@ forward_tooltip = Das Netz der Quelle wird in das Ziel abgebildet
 backward_tooltip = Das Netz des Ziels wird in die Quelle abgebildet und liest dort seine Textur
 texture_tooltip = Das Muster, das die Abbildung überträgt
 angle_tooltip = Winkelverzerrung Q = σ₁/σ₂ jedes Dreiecks: 1, wo Winkel erhalten bleiben
-area_tooltip = Flächenverzerrung log₂(σ₁σ₂) jedes Dreiecks, von der Quelle zum Ziel: +1 ist die doppelte Fläche, −1 die halbe
+area_tooltip = Flächenverzerrung log₂(σ₁σ₂) jedes Dreiecks, von der Quelle zum Ziel: +1 ist die doppelte Fläche, −1 die halbe. Die Farben gehen vom Mittel aus
 checker_tooltip = Quadrate; Winkel von 90° bleiben Winkel von 90°
 lines = Linien
 polar_tooltip = Kreise und Strahlen um den inneren Punkt
@@ -677,15 +684,16 @@ keep_picture = Dieses Bild behalten
 keep_picture_tooltip = Beendet den Rundgang hier
 end_tour_tooltip = Beendet den Rundgang und zeigt wieder das eigene Bild
 map_between_two_shapes = Eine Abbildung zwischen zwei Formen
-map_between_two_shapes_about = Was im linken Umriss gezeichnet ist, wird in den rechten übertragen: von Ort zu Ort gestreckt und gedreht, aber nie zerrissen und nie gefaltet. Einen grünen Punkt ziehen und sehen, wie alles folgt.
+map_between_two_shapes_about = Was in einem Umriss gezeichnet ist, wird in den anderen übertragen: von Ort zu Ort gestreckt und gedreht, aber nie zerrissen und nie gefaltet. Der grüne Punkt wandert einmal herum, und alles folgt. Danach lässt er sich ziehen.
 angles_stay = Winkel bleiben
-angles_stay_about = Das heißt konform. Jedes kleine Quadrat wird wieder ein kleines Quadrat, größer oder kleiner und gedreht, mit rechten Winkeln. Wie gut, sagt die Zahl Q̄ unten: 1 ist vollkommen.
+angles_stay_about = Das heißt konform. Der kleine Kreis wird wieder ein Kreis, größer oder kleiner (um |f′|) und gedreht, und der rechte Winkel in ihm bleibt einer. Den Kreis ziehen: Das gilt überall, und je kleiner der Kreis, desto genauer.
 three_freedoms = Drei Freiheiten
-three_freedoms_about = Riemann (1851): Zwischen zwei solchen Umrissen gibt es genau eine konforme Abbildung, sobald feststeht, wohin ein innerer Punkt geht (zwei Zahlen, die grünen Punkte) und wohin ein Randpunkt (eine Zahl, die magentafarbenen).
+three_freedoms_about = Riemann (1851): Zwischen zwei solchen Umrissen gibt es genau eine konforme Abbildung, sobald feststeht, wohin ein innerer Punkt geht (zwei Zahlen, die grünen Punkte) und wohin ein Randpunkt (eine Zahl, die magentafarbenen). Sie bewegen sich nacheinander: x₁, dann x₂, dann y₁.
 harmonic_measure_about = Eine Irrfahrt beginne im grünen Punkt. Die Wahrscheinlichkeit, dass sie durch ein Randstück austritt, ist dessen harmonisches Maß. Eine konforme Abbildung erhält es; also genügt es, das Maß entlang beider Ränder abzugleichen: So rechnet riemap.
-tour_crowding_about = Warum nicht über eine Scheibe? Die Arme dieses V schrumpfen auf deren Rand auf Längen von 10⁻¹⁷, und dem Rechner bleiben keine Stellen: Die Marken außen am Umriss laufen zusammen. Direkt abgeglichen bleiben sie getrennt.
+tour_crowding_about = Warum nicht über eine Scheibe? Die Arme dieses V schrumpfen auf deren Rand auf Längen von 10⁻¹⁷, und dem Rechner bleiben keine Stellen: Am Klecks sind die Marken außen am Umriss zusammengelaufen. Die inneren sind direkt abgeglichen und bleiben getrennt.
 surfaces = Flächen
-surfaces_about = Dasselbe geht mit einer Fläche im Raum mit einem Rand: Jeder ihrer Punkte bekommt einen Ort im Umriss. Sie lässt sich drehen, die Punkte auf ihr lassen sich ziehen. So werden Texturen auf Modelle gelegt.
+probed = |f′| = { $scale }, gedreht um { $turning }°
+surfaces_about = Dasselbe geht mit einer Fläche im Raum mit einem Rand: Jeder ihrer Punkte bekommt einen Ort im Umriss. Ihr Randpunkt wandert einmal herum; danach lässt sich die Fläche drehen, und die Punkte auf ihr lassen sich ziehen. So werden Texturen auf Modelle gelegt.
 
 ## user error
 

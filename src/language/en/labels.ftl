@@ -41,6 +41,8 @@ angle_distortion = Angle distortion Q = σ₁/σ₂
 
 boundary_samples_m = boundary samples m
 error = error
+fitted_order = order { $order }
+of_paper = { $column } (paper)
 max = max
 mean = mean
 convergence_about = Distance of the boundary images from the exact ones, V-shape → blob; the blob is about 2 across.
@@ -127,6 +129,8 @@ undo = Undo
 undo_tooltip = Take the last step back; a drag is one step
 redo = Redo
 redo_tooltip = Make it again
+recent_sessions = Recent
+recent_tooltip = The session as it was left, with its undo steps, surfaces and picture
 new_session = New
 new_session_tooltip = Begin with the first picture again; it can be undone
 open = Open…
@@ -462,7 +466,7 @@ with_psi = with Ψ
 zipper = Zipper
 bff_paper = BFF, paper
 psi_match_x1_moves = ψ + match, x₁ moves
-x2_moves = x₂ moves
+x2_moves = ψ + match, x₂ moves
 extend = extend
 stage_mesh = mesh
 
@@ -487,6 +491,9 @@ transparent_tooltip = Without the colour behind the map
 corners = Corners
 hit_corners = Hit exactly
 hit_corners_tooltip = The surface’s boundary edges are divided where the outline’s corners lie, so that no corner stays empty. New vertices follow those of the file.
+dots = Dots
+both_points = Interior and boundary point
+both_points_tooltip = The dots of x and y on both sides
 coordinates = Coordinates
 size = Size
 width_pixels = Width in pixels
@@ -612,7 +619,7 @@ forward_tooltip = The source's mesh is mapped into the target
 backward_tooltip = The target's mesh is mapped into the source and looks its texture up there
 texture_tooltip = The pattern that the map carries
 angle_tooltip = Angle distortion Q = σ₁/σ₂ of every triangle: 1 where angles are kept
-area_tooltip = Area distortion log₂(σ₁σ₂) of every triangle, from source to target: +1 is twice the area, −1 half of it
+area_tooltip = Area distortion log₂(σ₁σ₂) of every triangle, from source to target: +1 is twice the area, −1 half of it. The colours are about the mean
 checker_tooltip = Squares; angles of 90° stay angles of 90°
 lines = Lines
 polar_tooltip = Circles and rays about the interior point
@@ -677,15 +684,16 @@ keep_picture = Keep this picture
 keep_picture_tooltip = Ends the tour here
 end_tour_tooltip = Ends the tour and shows your own picture again
 map_between_two_shapes = A map between two shapes
-map_between_two_shapes_about = Whatever is drawn inside the left outline is carried into the right one: stretched and turned from place to place, but never torn and never folded. Drag a green dot and watch all of it follow.
+map_between_two_shapes_about = Whatever is drawn inside one outline is carried into the other one: stretched and turned from place to place, but never torn and never folded. The green dot goes once around, and all of it follows. Then drag it yourself.
 angles_stay = Angles stay
-angles_stay_about = That is what conformal means. Each small square becomes a small square, larger or smaller and turned, with right angles. The number Q̄ at the bottom says how well: 1 is perfect.
+angles_stay_about = That is what conformal means. The small circle becomes a circle again, larger or smaller (by |f′|) and turned, and the right angle in it stays one. Drag the circle: it holds everywhere, and the smaller the circle, the better.
 three_freedoms = Three freedoms
-three_freedoms_about = Riemann (1851): between two such outlines there is exactly one conformal map once you say where one inner point goes (two numbers, the green dots) and where one boundary point goes (one number, the magenta dots).
+three_freedoms_about = Riemann (1851): between two such outlines there is exactly one conformal map once you say where one inner point goes (two numbers, the green dots) and where one boundary point goes (one number, the magenta dots). See them move: x₁, then x₂, then y₁.
 harmonic_measure_about = Let a random walk start at the green dot. The chance that it leaves through a part of the boundary is that part's harmonic measure. A conformal map keeps it, so it is enough to match it along both boundaries: that is how riemap computes.
-tour_crowding_about = Why not go through a disk? From this V, arms shrink on the disk's rim to lengths of 10⁻¹⁷, and the computer has no digits left: the marks outside of the outline run together. Matched directly, they stay apart.
+tour_crowding_about = Why not go through a disk? From this V, arms shrink on the disk's rim to lengths of 10⁻¹⁷, and the computer has no digits left: on the blob, the marks outside of the outline have run together. Those inside are matched directly, and stay apart.
 surfaces = Surfaces
-surfaces_about = The same works for a surface in space with one boundary: each of its points gets a place in the outline. Turn it, drag the dots on it. This is how textures are laid on models.
+probed = |f′| = { $scale }, turned by { $turning }°
+surfaces_about = The same works for a surface in space with one boundary: each of its points gets a place in the outline. Its boundary point goes once around; then turn the surface, or drag the dots on it. This is how textures are laid on models.
 
 ## user error
 

@@ -102,6 +102,15 @@ impl Kind {
     }
 }
 
+/// How a surface's texture coordinates are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Layout {
+    /// Whether they are moved and scaled into the unit box.
+    pub unit: bool,
+    /// Whether the surface is divided so that they reach the outline's corners.
+    pub corners: bool,
+}
+
 /// The settings of an export.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExportRequest {
@@ -111,12 +120,12 @@ pub struct ExportRequest {
     pub size: [u32; 2],
     /// Whether the background of pictures is transparent.
     pub transparent: bool,
+    /// Whether pictures show the points as dots.
+    pub dots: bool,
     /// The side shown in pictures and drawings; `None`: both.
     pub side: Option<Side>,
-    /// Whether a surface's texture coordinates are moved and scaled into the unit box.
-    pub unit: bool,
-    /// Whether a surface is divided so that its layout reaches the outline's corners.
-    pub corners: bool,
+    /// How a surface's texture coordinates are written.
+    pub layout: Layout,
     /// The points that move in animations.
     pub path: Path,
     /// The duration of one loop of an animation, in seconds.
@@ -135,9 +144,9 @@ impl Default for ExportRequest {
             kind: Kind::Picture,
             size: [1600, 900],
             transparent: false,
+            dots: true,
             side: None,
-            unit: true,
-            corners: true,
+            layout: Layout { unit: true, corners: true },
             path: Path::Boundary,
             seconds: 4.0,
             frames: 60,
@@ -150,8 +159,8 @@ impl Default for ExportRequest {
 impl ExportRequest {
     /// The settings of a picture, with strokes for a dark or a light background.
     pub fn shot(&self, dark: bool) -> Shot {
-        let Self { size, transparent, side, .. } = *self;
-        Shot { size, dark, transparent, side }
+        let Self { size, transparent, dots, side, .. } = *self;
+        Shot { size, dark, transparent, dots, side }
     }
 
     /// The number of digits to ask for.

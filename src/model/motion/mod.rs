@@ -49,6 +49,8 @@ pub struct Player {
 struct Run {
     way: Loop,
     t: f64,
+    /// How many times it was gone around.
+    turns: u32,
     /// The time of the last frame; `None` at the beginning and after a pause.
     at: Option<f64>,
     scene: Scene,
@@ -85,6 +87,11 @@ impl Player {
     /// Whether the points are moving now.
     pub fn is_moving(&self) -> bool {
         self.is_playing && self.awaited.is_none()
+    }
+
+    /// How many times the points have gone around the present loop.
+    pub fn turns(&self) -> u32 {
+        self.run.as_ref().map_or(0, |run| run.turns)
     }
 
     /// Stops the points where they are.
@@ -138,14 +145,15 @@ impl Player {
         let Some(run) = self.run.as_mut().filter(|_| self.is_playing) else { return Vec::new() };
         let step = run.at.map_or(0.0, |at| (now - at).clamp(0.0, LONGEST_FRAME));
         run.at = Some(now);
-        run.t = (run.t + step / self.period).rem_euclid(1.0);
+        let t = run.t + step / self.period;
+        (run.t, run.turns) = (t.rem_euclid(1.0), run.turns + u32::from(t >= 1.0));
         if step == 0.0 { Vec::new() } else { looping::commands(run.way.at(run.t)).collect() }
     }
 }
 
 impl Run {
     fn new(way: Loop, model: &Model) -> Self {
-        Self { way, t: 0.0, at: None, scene: Scene::of(model) }
+        Self { way, t: 0.0, turns: 0, at: None, scene: Scene::of(model) }
     }
 
     /// Whether the model's points are where the loop has left them.

@@ -61,7 +61,7 @@ pub fn style(model: &Model, has_image: bool, dark: bool) -> Option<TextureStyle>
             (model.extent(home)?, model.interior(home)?)
         }
     };
-    Some(TextureStyle { pattern, cells: session.texture_scale(), bounds, pole, dark })
+    Some(TextureStyle { pattern, cells: session.texture_scale(), octaves: true, bounds, pole, dark })
 }
 
 /// The planar mesh that a side shows, with texture coordinates; `None` until it is prepared.

@@ -7,7 +7,7 @@ use crate::session::{Session, SurfaceShape, TextureKind};
 
 /// What the `encoded` link of `session` does not hold, if anything; `missing`: outlines that were never loaded.
 pub fn link_report(session: &Session, encoded: &Encoded, missing: &[MissingOutline]) -> Option<Message> {
-    let outlines = encoded.left_out.iter().map(Message::from);
+    let outlines = encoded.left_out.iter().map(Message::from).chain(encoded.shortened.iter().map(Message::from));
     let missing = missing.iter().map(|outline| key::disk_stands_in(outline.side, &outline.name));
     let surfaces = Side::BOTH.into_iter().filter_map(|side| session.surface(side));
     let surfaces = surfaces.filter_map(|surface| match &surface.spec.shape {
@@ -19,7 +19,7 @@ pub fn link_report(session: &Session, encoded: &Encoded, missing: &[MissingOutli
     Message::joined(all, key::both_clauses).map(key::link_copied_but)
 }
 
-/// The link of `session` if it holds all outlines and none is `missing`.
+/// The link of `session` if it holds all outlines, perhaps with fewer points, and none is `missing`.
 pub fn whole_link(session: &Session, missing: &[MissingOutline]) -> Option<String> {
     let is_whole = |left_out: &[_]| left_out.is_empty() && missing.is_empty();
     let encoded = link::encode(session).ok().filter(|encoded| is_whole(&encoded.left_out))?;

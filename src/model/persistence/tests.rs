@@ -169,7 +169,7 @@ fn a_change_releases_the_address_and_another_outline_drops_the_missing_one() {
     let mut persistence = Persistence::new(session.clone(), true);
     persistence.open_link(missing, None);
     persistence.settle(&session, 0.0);
-    let grown = changed(&session, Command::SetTextureScale(20.0));
+    let grown = changed(&session, Command::SetTextureScale(21.0));
     assert_eq!(persistence.settle(&grown, 1.0).address, address(&grown));
     assert_eq!(persistence.missing().len(), 1, "it can still be opened");
     let other = changed(&grown, Command::SetOutline { side: Side::Source, outline: circle("other", 100) });
@@ -188,7 +188,7 @@ fn a_large_session_is_copied_once_in_a_while() {
     let mut persistence = Persistence::new(Session::default(), true);
     persistence.settle(&Session::default(), 0.0);
     assert!(persistence.settle(&large, 10.0).copy.is_some());
-    large.apply(Command::SetTextureScale(20.0));
+    large.apply(Command::SetTextureScale(21.0));
     let settled = persistence.settle(&large, 11.0);
     assert_eq!((settled.copy, settled.copy_due), (None, Some(COPY_SECONDS - 1.0)));
     assert!(settled.address.is_some());

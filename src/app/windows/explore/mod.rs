@@ -9,8 +9,11 @@ mod window;
 use crate::app::input::action::{Action, Actions, ExploreAction};
 use crate::app::menus::figures_menu;
 use crate::language::tr;
+use crate::model::Model;
+use crate::model::motion::Player;
 use crate::session::Session;
 use egui::{Context, Pos2, TextureHandle, Ui};
+use tour::{Motions, Tour};
 use window::{BESIDES, Window};
 
 /// The open window, at most one, and the tour.
@@ -24,14 +27,6 @@ pub struct Explore {
     focus_due: bool,
     /// The gallery's thumbnails rendered so far, in its order; `None` where rendering failed.
     thumbnails: Vec<Option<TextureHandle>>,
-}
-
-struct Tour {
-    step: usize,
-    /// The session from before the tour.
-    before: Session,
-    /// Whether the random walks ran before the tour.
-    walked: bool,
 }
 
 /// What the app must change after an [`ExploreAction`]; `None` leaves a part unchanged.
@@ -71,7 +66,7 @@ impl Explore {
         self.focus_due = true;
         let begun = self.tour.take().map(|tour| (tour.before, tour.walked));
         let (before, walked) = begun.unwrap_or_else(|| (present.clone(), is_walking));
-        self.tour = Some(Tour { step, before, walked });
+        self.tour = Some(Tour { step, before, walked, motions: Motions::new(stop.motions) });
         Consequences { session: Some(stop.session.clone()), walks: Some(stop.walks) }
     }
 
@@ -91,14 +86,41 @@ impl Explore {
         Some([stop.title, stop.text].map(tr))
     }
 
-    /// Shows the tour's step below the pictures; if it `yields` to other content there, it is hidden on a low screen.
-    /// Returns whether it took the keyboard focus that was due.
+    /// Begins and ends the motions of the tour's step; returns the seconds after which it wants to be asked again.
+    pub fn conduct(&mut self, player: &mut Player, model: &Model, now: f64) -> Option<f64> {
+        self.tour.as_mut()?.motions.conduct(player, model, now)
+    }
+
+    /// Ends the motions of the tour's step.
+    pub fn end_motions(&mut self, player: &mut Player, model: &Model) {
+        self.tour.iter_mut().for_each(|tour| tour.motions.end(player, model));
+    }
+
+    /// Whether the tour's step carries a circle with a cross along.
+    pub fn probes(&self) -> bool {
+        self.step().and_then(|step| tour::steps().get(step)).is_some_and(|stop| stop.probes)
+    }
+
+    /// Shows the card of the tour's step beside or below the pictures; if it `yields` to a message, it is hidden on a
+    /// low screen. Escape ends the tour where no window is open. Returns whether the card took the keyboard focus that
+    /// was due.
     pub fn show_tour(&self, ui: &mut Ui, yields: bool, actions: &mut Actions) -> bool {
-        let Some(step) = self.step().filter(|_| !(yields && tour::is_low(ui))) else { return false };
+        let Some(step) = self.step() else { return false };
+        if self.window.is_none() && ui.input(|input| input.key_pressed(egui::Key::Escape)) {
+            actions.push(Action::Explore(ExploreAction::LeaveTour { keeps: false }));
+        }
+        if yields && tour::card::is_low(ui) {
+            return false;
+        }
         // a window that opens over the tour gets the focus
         let takes_focus = self.window.is_none() && self.focus_due;
-        tour::show(ui, step, takes_focus, actions);
+        tour::card::show(ui, step, takes_focus, actions);
         takes_focus
+    }
+
+    /// Forgets the thumbnails, because the device is gone that held them; they are rendered again.
+    pub fn forget_thumbnails(&mut self) {
+        self.thumbnails.clear();
     }
 
     /// Records that the tour has taken the keyboard focus.

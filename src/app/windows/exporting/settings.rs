@@ -53,6 +53,10 @@ impl Exporter {
             let transparent = ui.checkbox(&mut self.request.transparent, tr(key::transparent()));
             self.note(key::transparent().english(), &transparent.on_hover_text(tr(key::transparent_tooltip())));
             ui.end_row();
+            ui.label(tr(key::dots()));
+            let dots = ui.checkbox(&mut self.request.dots, tr(key::both_points()));
+            self.note(key::both_points().english(), &dots.on_hover_text(tr(key::both_points_tooltip())));
+            ui.end_row();
         }
         if kind == Kind::Formula && around.no_formula.is_none() {
             self.formula_settings(ui, height);
@@ -74,16 +78,16 @@ impl Exporter {
                     (true, key::unit_box(), key::unit_box_tooltip()),
                     (false, key::true_scale(), key::true_scale_tooltip()),
                 ] {
-                    let choice = self.choice(ui, label, self.request.unit == unit, height);
+                    let choice = self.choice(ui, label, self.request.layout.unit == unit, height);
                     if choice.on_hover_text(tr(tooltip)).clicked() {
-                        self.request.unit = unit;
+                        self.request.layout.unit = unit;
                     }
                 }
             });
             ui.end_row();
         }
         ui.label(tr(key::corners()));
-        let corners = ui.checkbox(&mut self.request.corners, tr(key::hit_corners()));
+        let corners = ui.checkbox(&mut self.request.layout.corners, tr(key::hit_corners()));
         self.note(key::hit_corners().english(), &corners.on_hover_text(tr(key::hit_corners_tooltip())));
         ui.end_row();
     }

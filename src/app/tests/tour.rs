@@ -1,0 +1,140 @@
+//! The guided tour on the screen: the room of the pictures, the motions of its steps, the probe, and its end.
+
+use crate::app::RiemapApp;
+use crate::app::input::action::{Action, ExploreAction};
+use crate::app::input::presentation;
+use crate::app::tests::{ready_app, step_until};
+use crate::conformal::Side;
+use crate::family::Path;
+use crate::session::{Command, Session};
+use egui::Key;
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+
+/// A desktop, a laptop, a tablet, a phone upright and on its side.
+const SCREENS: [[f32; 2]; 5] = [[1440.0, 900.0], [1280.0, 720.0], [820.0, 1180.0], [390.0, 844.0], [844.0, 390.0]];
+const STEPS: usize = 6;
+
+type Screen = Harness<'static, RiemapApp>;
+
+fn go(screen: &mut Screen, step: usize) {
+    let context = screen.ctx.clone();
+    screen.state_mut().carry_out(&context, vec![Action::Explore(ExploreAction::Tour(step))]);
+    screen.run_steps(4);
+}
+
+/// Fails unless the pictures have three fifths of the screen's height, and the buttons are on the screen.
+fn assert_room(screen: &Screen, what: &str) {
+    let whole = screen.ctx.content_rect();
+    let views = &screen.state().pictures.views;
+    let pictures = views.source.rect.union(views.target.rect);
+    assert!(pictures.height() >= 0.6 * whole.height(), "{what}: {pictures:?} of {whole:?}");
+    for button in ["Back", "End"] {
+        let rect = screen.get_by_label(button).rect();
+        assert!(whole.contains_rect(rect) && !pictures.intersects(rect), "{what}: {button} at {rect:?}");
+    }
+}
+
+#[test]
+fn pictures_have_three_fifths_of_the_height_in_every_step() {
+    for size in SCREENS {
+        let mut screen = ready_app(size);
+        for step in 0..STEPS {
+            go(&mut screen, step);
+            assert_room(&screen, &format!("{size:?}, step {step}"));
+        }
+    }
+    let mut screen = ready_app([1920.0, 1080.0]);
+    presentation::toggle(&screen.ctx);
+    for step in 0..STEPS {
+        go(&mut screen, step);
+        assert_room(&screen, &format!("presentation, step {step}"));
+    }
+}
+
+#[test]
+fn escape_ends_the_tour_and_brings_the_picture_from_before_back() {
+    let mut screen = ready_app([1200.0, 800.0]);
+    let mine = screen.state().session().clone().and([Command::SetTextureScale(13.0)]);
+    screen.state_mut().show_session(mine.clone());
+    go(&mut screen, 2);
+    assert!(*screen.state().session() != mine);
+    screen.key_press(Key::Escape);
+    screen.run_steps(3);
+    assert!(!screen.state().windows.explore.is_touring());
+    assert_eq!(*screen.state().session(), mine);
+}
+
+/// The constraints of a session that differ from those of another one: x₁, x₂, y₁.
+fn moved(now: &Session, before: &Session) -> [bool; 3] {
+    let interior = |side| now.side(side).interior != before.side(side).interior;
+    let anchor = now.side(Side::Source).anchor() != before.side(Side::Source).anchor();
+    [interior(Side::Source), interior(Side::Target), anchor]
+}
+
+#[test]
+fn the_step_of_three_freedoms_moves_one_point_after_another_and_then_rests() {
+    let mut screen = ready_app([700.0, 500.0]);
+    let path = screen.state().player.path();
+    go(&mut screen, 2);
+    let mut order = Vec::new();
+    let mut before = screen.state().session().clone();
+    for _ in 0..4000 {
+        screen.step();
+        let now = screen.state().session().clone();
+        let points = moved(&now, &before);
+        if points != [false; 3] && order.last() != Some(&points) {
+            order.push(points);
+        }
+        before = now;
+        if order.len() == 3 && !screen.state().player.is_playing() {
+            break;
+        }
+    }
+    assert_eq!(order, [[true, false, false], [false, true, false], [false, false, true]]);
+    screen.run_steps(20);
+    assert!(!screen.state().player.is_playing() && *screen.state().session() == before);
+    screen.state_mut().explore(ExploreAction::LeaveTour { keeps: false });
+    assert_eq!(screen.state().player.path(), path, "the player has its settings back");
+    assert_eq!(path, Path::Boundary);
+}
+
+#[test]
+fn a_dot_that_the_user_takes_ends_the_motion_of_the_step() {
+    let mut screen = ready_app([1200.0, 800.0]);
+    go(&mut screen, 0);
+    step_until(&mut screen, |app| app.player.is_moving());
+    let dot = egui::Pos2::from(screen.state().stats().screen.handles.x2.unwrap());
+    screen.drag_at(dot);
+    screen.step();
+    screen.drop_at(dot);
+    screen.run_steps(200);
+    assert!(!screen.state().player.is_playing());
+}
+
+#[test]
+fn the_probe_is_dragged_and_its_image_follows() {
+    let mut screen = ready_app([1200.0, 800.0]);
+    go(&mut screen, 1);
+    step_until(&mut screen, |app| app.pictures.probe.is_some() && app.model.is_ready());
+    let (probe, before) = {
+        let app = screen.state();
+        (app.input.handles.probe.unwrap(), app.pictures.probe.clone().unwrap())
+    };
+    let at = screen.state().pictures.views.source.to_screen(probe.center);
+    let camera = screen.state().pictures.views.source.camera();
+    screen.drag_at(at);
+    screen.step();
+    screen.hover_at(at + egui::vec2(0.0, -30.0));
+    screen.step();
+    screen.drop_at(at + egui::vec2(0.0, -30.0));
+    screen.run_steps(3);
+    let app = screen.state();
+    let there = app.pictures.views.source.to_screen(app.input.handles.probe.unwrap().center);
+    assert!(there.distance(at + egui::vec2(0.0, -30.0)) < 1.0, "from {at} to {there}");
+    assert_eq!(app.pictures.views.source.camera(), camera, "the picture stays");
+    let after = app.pictures.probe.as_ref().unwrap();
+    assert!(after.center.image.distance(before.center.image) > 0.01);
+    go(&mut screen, 2);
+    assert!(screen.state().input.handles.probe.is_none(), "another step has none");
+}
