@@ -215,6 +215,14 @@ pub fn address_with(fragment: &str) -> String {
     format!("#{fragment}")
 }
 
+/// Whether the system has a dialog of its own that shares a link: not on a desktop.
+pub fn can_share() -> bool {
+    false
+}
+
+/// Passes a link to the system's dialog; there is none ([`can_share`]).
+pub fn share(_address: &str, _mailbox: Mailbox) {}
+
 /// Stores a text for [`remembered`]. Errors: the reason why it cannot be written.
 pub fn remember(what: Kept, text: &str) -> Result<(), Message> {
     let path = kept_at(what).ok_or(key::no_folder())?;

@@ -9,6 +9,7 @@
 //! | hit test and drag state of the four dots | `handles` |
 //! | keyboard focus, Tab and arrow keys | `keyboard`, `keyboard_navigation` |
 //! | canceled touches | `touches` |
+//! | whether gestures move the texture's picture | `picture_placing` |
 
 pub mod action;
 pub mod address_options;
@@ -16,6 +17,7 @@ pub mod handles;
 pub mod keyboard;
 pub mod keyboard_navigation;
 pub mod locks;
+pub mod picture_placing;
 pub mod preferences;
 pub mod presentation;
 pub mod touches;
@@ -34,4 +36,13 @@ pub struct Input {
     /// Actions that came after the last frame's were carried out: from buttons that are painted late, and from keys
     /// before the frame. The next frame carries them out first.
     pub asked: action::Actions,
+}
+
+impl Input {
+    /// The state at the start of a user with these habits.
+    pub fn after(habits: preferences::Habits) -> Self {
+        let mut input = Self::default();
+        input.handles.ever_dragged = habits.dragged;
+        input
+    }
 }

@@ -36,7 +36,7 @@ keys_of_labels! {
     formula_cancelled,
     // session
     link_no_session, link_damaged, link_too_much, not_carried_inexact, limit_version, limit_coordinate, limit_anchor,
-    limit_cells, limit_samples, limit_growth, limit_surface_boundary, limit_weight, limit_weight_sum,
+    limit_cells, limit_picture, limit_samples, limit_growth, limit_surface_boundary, limit_weight, limit_weight_sum,
     limit_surface_anchor, choice_direction, choice_side, choice_kernel, choice_solver, choice_colouring,
     choice_texture, choice_extension, choice_comparison, choice_setting, choice_outline, choice_surface,
     // figures
@@ -65,7 +65,8 @@ keys_of_messages! {
     surface_travels_as_file(name); surface_preparation_stopped(reason); no_disk_coordinates(side, reason);
     through_disk_fails(side, reason); file_unreadable(cause); reading_stopped(reason);
     // platform
-    no_image(cause); too_long_to_store(characters); no_dialog(reason);
+    no_image(cause); too_long_to_store(characters); no_dialog(reason); not_shared(reason); link_too_long_for_code(bytes, limit);
+    link_lacks(reasons);
     // geometry
     polygon_too_few_points(count); polygon_too_many_points(limit, count); polygon_not_finite(index, x, y);
     polygon_too_far_out(index, x, y, limit); polygon_too_small(extent, limit);
@@ -104,7 +105,7 @@ keys_of_messages! {
     topology_non_manifold_vertex(count, vertex, fans); topology_unreferenced(count, vertex); topology_closed(genus);
     topology_genus(genus); repair_dropped_triangles(count); repair_dropped_duplicates(count); repair_oriented(count);
     repair_kept_largest(dropped, components); repair_dropped_vertices(count); surface_file_malformed(place, fault);
-    topology_components(count, sizes); topology_loops(count, loops); boundary_loop(length, vertices, first);
+    topology_components(count, sizes); topology_loops(count, loops); topology_no_loop(count, loops, asked); boundary_loop(length, vertices, first);
     repair_filled_hole(triangles); repair_filled_holes(holes, triangles); place_line(line); place_byte(offset);
     item_element(index, count); item_corner(index, count); item_vertex_property(name);
     item_triangle_corner(triangle, count); item_named_coordinate(name); unsupported_version(version);

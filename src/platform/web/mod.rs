@@ -31,7 +31,7 @@ pub use page::address_query;
 pub use preparer::Preparer;
 pub use store::{first_kept, keep, load_visit};
 pub use study_runner::StudyRunner;
-pub use surroundings::{has_full_screen, tell_page, toggle_full_screen};
+pub use surroundings::{can_share, has_full_screen, share, tell_page, toggle_full_screen};
 
 use super::Host;
 use wasm_bindgen::JsCast;
