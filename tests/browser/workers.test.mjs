@@ -10,7 +10,8 @@ function makeWorkersMortal() {
   window.mortal = { kills: 0, hangs: 0, requests: 0, later: 0 };
   const { post, end } = { post: Worker.prototype.postMessage, end: Worker.prototype.terminate };
   Worker.prototype.postMessage = function (message, ...rest) {
-    if (message?.task === undefined) return post.call(this, message, ...rest);
+    // equations and refined meshes follow by themselves
+    if (!message?.task?.startsWith('outline')) return post.call(this, message, ...rest);
     window.mortal.requests++;
     if (window.mortal.hangs > 0) {
       window.mortal.hangs--;
