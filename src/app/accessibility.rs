@@ -7,6 +7,7 @@ use crate::app::RiemapApp;
 use crate::app::language::words;
 use crate::app::panels::invariants_panel;
 use crate::app::status::pointed;
+use crate::app::viewport::probe;
 use crate::conformal::{PerSide, Side};
 use crate::language::{key, number, say, tr};
 use crate::model::Model;
@@ -28,6 +29,7 @@ pub fn state(app: &RiemapApp) -> String {
     if !model.is_ready() {
         sentences.push(tr(key::being_prepared()).into());
     }
+    sentences.extend(app.pictures.probe.as_ref().map(|image| format!("{}.", probe::words(image))));
     sentences.extend(app.windows.explore.words().into_iter().flatten().map(String::from));
     let formula = app.windows.exporter.formula_notes();
     sentences.extend(formula.into_iter().map(|(note, _)| say(&key::sentence(note))));

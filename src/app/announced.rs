@@ -1,6 +1,7 @@
 //! What is reported to the page around the app, each new error once, and to a screen reader.
 
 use super::frame::REST_SECONDS;
+use super::viewport::probe;
 use super::{RiemapApp, accessibility, message_bar};
 use crate::conformal::Side;
 use crate::language::{self, Language, Message};
@@ -28,6 +29,8 @@ struct News {
     /// The map at a point that was clicked.
     pointed: Option<PointedImage>,
     errors: Vec<Message>,
+    /// The size and the turning of the probe's image, in words.
+    probe: Option<String>,
     /// What the last formula reached, as the export window says it.
     formula: Vec<(Message, bool)>,
     /// The step of the tour.
@@ -91,6 +94,7 @@ impl RiemapApp {
             invariants: Side::BOTH.map(|side| self.model.invariants(side).cloned()),
             pointed: self.clicked(),
             errors: self.errors(),
+            probe: self.pictures.probe.as_ref().map(probe::words),
             formula: self.windows.exporter.formula_notes(),
             step: self.windows.explore.step(),
             language: language::current(),

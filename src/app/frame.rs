@@ -119,11 +119,14 @@ impl RiemapApp {
         if is_held {
             self.player.pause();
         }
-        if let Some(delay) = self.windows.explore.conduct(&mut self.player, &self.model, now) {
+        let holds = is_held || context.input(|input| input.pointer.any_down());
+        if let Some(delay) = self.windows.explore.conduct(&mut self.player, &self.model, holds, now) {
             context.request_repaint_after_secs(delay as f32);
         }
         for command in self.player.advance(&self.model, now) {
-            self.persistence.touch();
+            if !self.windows.explore.is_touring() {
+                self.persistence.touch();
+            }
             self.model.dispatch(command, now);
         }
         if self.player.is_playing() {
@@ -238,12 +241,9 @@ impl RiemapApp {
         if is_free && !is_exact {
             context.request_repaint();
         }
-        let is_integral =
-            is_exact && self.model.pointed(Side::Source, probe.center).is_some_and(|at| at.errors.is_some());
         let known = self.pictures.probe.as_ref();
-        if !known.is_some_and(|image| self.model.is_probe_current(image, probe, is_integral)) {
-            self.pictures.probe = self.model.probe_image(probe);
-            context.request_repaint();
+        if !known.is_some_and(|image| self.model.is_probe_current(image, probe, is_exact)) {
+            self.pictures.probe = self.model.probe_image(probe, is_exact);
         }
     }
 

@@ -5,7 +5,7 @@
 use super::arrangement::Arrangement;
 use super::theme::Palette;
 use super::{RiemapApp, editing, plots, status, theme};
-use crate::app::input::action::{Action, Actions};
+use crate::app::input::action::{Action, Actions, ExploreAction};
 use crate::app::input::presentation;
 use crate::app::language::words;
 use crate::app::menus::file_menu;
@@ -15,6 +15,7 @@ use crate::app::panels::side_panel::Column;
 use crate::app::panels::{header, play_panel, side_panel, welcome};
 use crate::app::plots::BoundaryPlace;
 use crate::app::theme::widgets::chevron;
+use crate::app::windows::explore::tour;
 use crate::language::{key, tr};
 use crate::session::Command;
 use egui::{Event, Frame, Id, Key, Margin, Panel, RichText, ScrollArea, Stroke, Ui, vec2};
@@ -29,9 +30,6 @@ const SHEET_HANDLE: f32 = 44.0;
 const LINK_STRIP: f32 = 28.0;
 /// The share of the screen's height that the pictures keep beside the open sheet, at least.
 const PICTURES_SHARE: f32 = 0.5;
-
-/// The least share of the screen's height for the pictures during the tour.
-const PICTURES_IN_TOUR: f32 = 0.6;
 
 /// What the layout of bars and panels has found out, for the app to store and carry out.
 pub struct LaidOut {
@@ -59,7 +57,7 @@ pub fn show(app: &RiemapApp, ui: &mut Ui) -> LaidOut {
     if app.screen.panels_open {
         bars(app, ui, narrow, &mut actions);
         if app.windows.explore.is_touring() {
-            // the card of the tour is there
+            // its card is in the place of the controls
         } else if narrow {
             pointed = sheet(app, ui, &mut actions);
         } else if app.screen.column_open(ui.ctx().content_rect().height()) {
@@ -76,7 +74,7 @@ pub fn show(app: &RiemapApp, ui: &mut Ui) -> LaidOut {
         Panel::bottom("link").exact_size(strip).resizable(false).frame(frame).show(ui, |_| {});
     }
     let yields = app.messages.bar.has_message() || app.editor.side().is_some();
-    let focused_tour = app.windows.explore.show_tour(ui, yields, &mut actions);
+    let focused_tour = app.windows.explore.show_tour(ui, &app.player, yields, &mut actions);
     if !narrow && app.model.session().plots() && (!app.windows.explore.is_touring() || has_room_for_plots(ui)) {
         pointed = dock(app, ui, &mut actions);
     }
@@ -101,6 +99,17 @@ fn keys(app: &RiemapApp, ui: &Ui, actions: &mut Actions) {
     if free && ui.input(|input| input.events.iter().any(is_p)) {
         actions.push(Action::Session(Command::SetPlots(!app.model.session().plots())));
     }
+    if escape_ends_tour(app, ui) && ui.input(|input| input.key_pressed(Key::Escape)) {
+        actions.push(Action::Explore(ExploreAction::LeaveTour { keeps: false }));
+    }
+}
+
+/// Whether Escape ends the tour, and neither closes a window or a menu nor leaves a field, a dot or a picture.
+fn escape_ends_tour(app: &RiemapApp, ui: &Ui) -> bool {
+    let handles = &app.input.handles;
+    let has_focus = handles.focused.is_some() || handles.focused_view.is_some() || ui.ctx().text_edit_focused();
+    let is_covered = app.windows.are_open() || egui::Popup::is_any_open(ui.ctx());
+    app.windows.explore.is_touring() && app.editor.is_at_rest() && !has_focus && !is_covered
 }
 
 fn bar_frame(palette: &Palette, narrow: bool) -> Frame {
@@ -150,7 +159,7 @@ fn has_room_for_plots(ui: &Ui) -> bool {
         return true;
     }
     let left = ui.available_height() - plots::dock_height(ui.available_width(), ui.available_height());
-    left >= PICTURES_IN_TOUR * ui.ctx().content_rect().height()
+    left >= tour::card::PICTURES * ui.ctx().content_rect().height()
 }
 
 /// The plots beside or below the viewports; they stay when the panels are hidden. Returns the place under the pointer.

@@ -121,8 +121,9 @@ fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
         if let Some(pointed) = app.pictures.pointed.filter(|pointed| pointed.side == side.other()) {
             planar::paint_image_mark(ui, view, pointed.image);
         }
-        if let (Some(at), Some(image)) = (app.input.handles.probe, &app.pictures.probe) {
-            probe::paint(ui, side, view, at, image);
+        match side {
+            Side::Source => app.input.handles.probe.iter().for_each(|&at| probe::paint(ui, view, at)),
+            Side::Target => app.pictures.probe.iter().for_each(|image| probe::paint_image(ui, view, image)),
         }
         marked.inspect(|&at| picture.paint_boundary_mark(ui, side, &app.model, at));
         picture.paint_dots(ui, side, &app.model, &app.input.handles);

@@ -89,7 +89,7 @@ impl Model {
     }
 
     /// By the first triangle of the mapped mesh that holds the point. O(triangles).
-    fn pointed_in_mesh(&self, side: Side, point: DVec2) -> Option<PointedImage> {
+    pub(super) fn pointed_in_mesh(&self, side: Side, point: DVec2) -> Option<PointedImage> {
         let (image, derivative) = self.carrying_triangles(side)?.find_map(|triangle| triangle.carry(point))?;
         Some(PointedImage { side, point, image, derivative, errors: None })
     }

@@ -1,8 +1,8 @@
 //! A small circle with a cross about a point of the source, and its image.
 //!
-//! f(p + r e^{iφ}) = f(p) + r f′(p) e^{iφ} + O(r²): the image of the circle is a circle, and its diameters still cross
-//! at a right angle, up to terms that vanish with the radius r. What is drawn are the images of the circle's own points,
-//! not that circle: by Cauchy's integral where it is prepared, else by the mapped mesh's triangles.
+//! f(p + r e^{iφ}) = f(p) + r f′(p) e^{iφ} + O(r²): the images of the diameters cross at a right angle, and the image of
+//! the circle is a circle up to a part that vanishes with its radius r. All that is drawn are images of points of the
+//! circle and the cross themselves, by Cauchy's integral where that is prepared, else by the mapped mesh's triangles.
 
 use super::pointer::PointedImage;
 use crate::conformal::Side;
@@ -12,11 +12,14 @@ use std::f64::consts::TAU;
 
 /// The radius as a share of the larger extent of the source: a circle that is clearly one, and still small.
 const RADIUS: f64 = 0.05;
-/// The largest radius as a share of the distance from the boundary, next to which f′ may change by any factor.
-const MOST_OF_DISTANCE: f64 = 0.6;
+/// The largest radius as a share of the distance from the boundary: by Koebe's distortion theorem the image's radii may
+/// differ by the factor ((1 + s)/(1 − s))², at this share 2.8, at 0.6 already 16.
+const MOST_OF_DISTANCE: f64 = 0.25;
 /// The points of the circle, and of each diameter.
 const RING: usize = 96;
 const ARM: usize = 17;
+/// The sides of the mark of the right angle, as a share of the radius.
+const CORNER: f64 = 0.28;
 /// The distance of a new probe from x₁, as a share of the larger extent: the dot does not cover it.
 const BESIDE: f64 = 0.2;
 /// The directions in which a place for a new probe is looked for.
@@ -38,28 +41,40 @@ pub struct ProbeImage {
     pub probe: Probe,
     /// The [`Model::generation`] of the map.
     generation: u64,
+    /// Whether Cauchy's integral was asked for.
+    is_exact: bool,
     /// The map at the center.
     pub center: PointedImage,
     /// The images of points of the circle, in order.
     pub ring: Vec<DVec2>,
     /// The images of points of the horizontal and of the vertical diameter, from the left and from below.
     pub arms: [Vec<DVec2>; 2],
+    /// The images of the mark of the right angle between both.
+    pub corner: Vec<DVec2>,
 }
 
 impl Probe {
-    fn ring(self) -> impl Iterator<Item = DVec2> {
+    /// Points of the circle, counter-clockwise from the right.
+    pub fn ring(self) -> impl Iterator<Item = DVec2> {
         let at = move |k: usize| self.center + self.radius * DVec2::from_angle(TAU * k as f64 / RING as f64);
         (0..RING).map(at)
     }
 
-    fn arm(self, direction: DVec2) -> impl Iterator<Item = DVec2> {
+    /// Points of the diameter along a unit vector.
+    pub fn arm(self, direction: DVec2) -> impl Iterator<Item = DVec2> {
         let at = move |k: usize| self.center + self.radius * (2.0 * k as f64 / (ARM - 1) as f64 - 1.0) * direction;
         (0..ARM).map(at)
+    }
+
+    /// The mark of the right angle: its ends lie on the two radii to the right and upwards.
+    pub fn corner(self) -> [DVec2; 3] {
+        [DVec2::X, DVec2::ONE, DVec2::Y].map(|at| self.center + CORNER * self.radius * at)
     }
 }
 
 impl Model {
-    /// The circle about a point of the source, smaller next to the boundary; `None` outside, and on a surface.
+    /// The circle about a point of the source, or about the nearest one inside; smaller next to the boundary. `None` on
+    /// a surface.
     pub fn probe_at(&self, center: DVec2) -> Option<Probe> {
         let domain = self.domain(Side::Source)?;
         let samples = domain.samples();
@@ -79,26 +94,31 @@ impl Model {
         self.probe_at(inside.max_by(|&a, &b| away(a).total_cmp(&away(b))).unwrap_or(x))
     }
 
-    /// Whether this is the image of the circle under the map on the screen, by Cauchy's integral if that is prepared.
+    /// Whether this is the image of the circle under the map on the screen; with `is_exact`, the one by Cauchy's
+    /// integral where that is possible.
     pub fn is_probe_current(&self, image: &ProbeImage, probe: Probe, is_exact: bool) -> bool {
-        let is_best = image.center.errors.is_some() || !is_exact;
-        image.probe == probe && image.generation == self.generation() && is_best
+        image.probe == probe && image.generation == self.generation() && (image.is_exact || !is_exact)
     }
 
-    /// The image of the circle; points that the mapped mesh does not hold are left out. `None` if the center is one.
-    pub fn probe_image(&self, probe: Probe) -> Option<ProbeImage> {
-        let center = self.pointed(Side::Source, probe.center)?;
+    /// The image of the circle, by Cauchy's integral if it `is_exact` and possible; points that the mapped mesh does not
+    /// hold are left out. `None` if the center is one.
+    pub fn probe_image(&self, probe: Probe, is_exact: bool) -> Option<ProbeImage> {
+        let pointed = |point| {
+            if is_exact { self.pointed(Side::Source, point) } else { self.pointed_in_mesh(Side::Source, point) }
+        };
+        let center = pointed(probe.center)?;
         let images = |points: &mut dyn Iterator<Item = DVec2>| {
             let points: Vec<DVec2> = points.collect();
             let images = match center.errors {
-                Some(_) => points.iter().map(|&point| Some(self.pointed(Side::Source, point)?.image)).collect(),
+                Some(_) => points.iter().map(|&point| Some(pointed(point)?.image)).collect(),
                 None => self.images_in_mesh(Side::Source, &points),
             };
             images.into_iter().flatten().collect()
         };
         let ring = images(&mut probe.ring());
         let arms = [DVec2::X, DVec2::Y].map(|direction| images(&mut probe.arm(direction)));
-        Some(ProbeImage { probe, generation: self.generation(), center, ring, arms })
+        let corner = images(&mut probe.corner().into_iter());
+        Some(ProbeImage { probe, generation: self.generation(), is_exact, center, ring, arms, corner })
     }
 
     fn source_size(&self) -> Option<f64> {
@@ -139,9 +159,9 @@ mod tests {
     fn a_moebius_map_keeps_circles_and_the_mesh_almost_does() {
         let mut model = model(KernelMode::Integral);
         let probe = model.probe_at(DVec2::new(-0.2, 0.5)).unwrap();
-        let rough = model.probe_image(probe).unwrap();
+        let rough = model.probe_image(probe, false).unwrap();
         while !model.prepare_pointer(Side::Source) {}
-        let exact = model.probe_image(probe).unwrap();
+        let exact = model.probe_image(probe, true).unwrap();
         assert_eq!((exact.ring.len(), rough.ring.len()), (RING, RING));
         // The mean of the images is not the center of the image's circle: off by r² relative to its radius, squared.
         let [least, most] = radii(&exact);
@@ -157,7 +177,7 @@ mod tests {
         let mut model = model(KernelMode::Integral);
         let probe = model.new_probe().unwrap();
         while !model.prepare_pointer(Side::Source) {}
-        let image = model.probe_image(probe).unwrap();
+        let image = model.probe_image(probe, true).unwrap();
         let middle = ARM / 2;
         let [along, across] = [0, 1].map(|k| {
             assert!(image.arms[k][middle].distance(image.center.image) < 1e-12);

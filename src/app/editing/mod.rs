@@ -70,6 +70,11 @@ impl Editor {
         }
     }
 
+    /// Whether nothing is drawn, reshaped or pasted.
+    pub fn is_at_rest(&self) -> bool {
+        self.side().is_none() && self.paste.is_none()
+    }
+
     /// The side whose outline is being reshaped or drawn.
     pub fn side(&self) -> Option<Side> {
         match self.work.as_ref()? {

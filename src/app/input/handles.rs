@@ -122,9 +122,10 @@ impl HandleState {
         self.ever_dragged = true;
     }
 
-    /// Ends the drag.
+    /// Ends the drag, of a dot or of the circle.
     pub fn release(&mut self) {
         self.grip = None;
+        self.probe_grip = None;
     }
 
     /// Whether `handle` is drawn larger: hovered, dragged or focused.

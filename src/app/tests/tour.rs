@@ -1,18 +1,20 @@
 //! The guided tour on the screen: the room of the pictures, the motions of its steps, the probe, and its end.
 
 use crate::app::RiemapApp;
-use crate::app::input::action::{Action, ExploreAction};
+use crate::app::input::action::{Action, ExploreAction, ExportAction};
 use crate::app::input::presentation;
 use crate::app::tests::{ready_app, step_until};
 use crate::conformal::Side;
 use crate::family::Path;
+use crate::model::motion::PlayAction;
 use crate::session::{Command, Session};
 use egui::Key;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 /// A desktop, a laptop, a tablet, a phone upright and on its side.
-const SCREENS: [[f32; 2]; 5] = [[1440.0, 900.0], [1280.0, 720.0], [820.0, 1180.0], [390.0, 844.0], [844.0, 390.0]];
+const SCREENS: [[f32; 2]; 7] =
+    [[1440.0, 900.0], [1280.0, 720.0], [820.0, 1180.0], [390.0, 844.0], [390.0, 664.0], [375.0, 553.0], [844.0, 390.0]];
 const STEPS: usize = 6;
 
 type Screen = Harness<'static, RiemapApp>;
@@ -75,8 +77,19 @@ fn moved(now: &Session, before: &Session) -> [bool; 3] {
 #[test]
 fn the_step_of_three_freedoms_moves_one_point_after_another_and_then_rests() {
     let mut screen = ready_app([700.0, 500.0]);
-    let path = screen.state().player.path();
+    let (player, model) = {
+        let app = screen.state_mut();
+        (&mut app.player, &app.model)
+    };
+    player.act(PlayAction::Along(Path::SourcePoint), model);
+    player.act(PlayAction::Period(20.0), model);
     go(&mut screen, 2);
+    step_until(&mut screen, |app| app.model.is_ready());
+    let places = |screen: &Screen| {
+        let app = screen.state();
+        (Side::BOTH.map(|side| app.model.interior(side)), app.session().side(Side::Source).anchor())
+    };
+    let begun = places(&screen);
     let mut order = Vec::new();
     let mut before = screen.state().session().clone();
     for _ in 0..4000 {
@@ -94,9 +107,15 @@ fn the_step_of_three_freedoms_moves_one_point_after_another_and_then_rests() {
     assert_eq!(order, [[true, false, false], [false, true, false], [false, false, true]]);
     screen.run_steps(20);
     assert!(!screen.state().player.is_playing() && *screen.state().session() == before);
+    let (ends, anchor) = places(&screen);
+    for (end, start) in ends.into_iter().zip(begun.0) {
+        let (end, start) = (end.unwrap(), start.unwrap());
+        assert!(end.distance(start) < 1e-9, "once around: {end} is not {start}");
+    }
+    assert!((anchor - begun.1).abs() < 1e-9);
     screen.state_mut().explore(ExploreAction::LeaveTour { keeps: false });
-    assert_eq!(screen.state().player.path(), path, "the player has its settings back");
-    assert_eq!(path, Path::Boundary);
+    let player = &screen.state().player;
+    assert_eq!((player.path(), player.period()), (Path::SourcePoint, 20.0), "the player has its settings back");
 }
 
 #[test]
@@ -106,10 +125,57 @@ fn a_dot_that_the_user_takes_ends_the_motion_of_the_step() {
     step_until(&mut screen, |app| app.player.is_moving());
     let dot = egui::Pos2::from(screen.state().stats().screen.handles.x2.unwrap());
     screen.drag_at(dot);
+    screen.run_steps(2);
+    assert!(!screen.state().player.is_playing(), "at once");
+    screen.drop_at(dot);
+    screen.run_steps(30);
+    assert!(!screen.state().player.is_playing());
+}
+
+#[test]
+fn a_dot_that_is_taken_before_the_first_motion_keeps_it_from_beginning() {
+    let mut screen = ready_app([1200.0, 800.0]);
+    go(&mut screen, 0);
+    let dot = egui::Pos2::from(screen.state().stats().screen.handles.x2.unwrap());
+    screen.drag_at(dot);
     screen.step();
     screen.drop_at(dot);
-    screen.run_steps(200);
+    step_until(&mut screen, |app| app.model.is_ready());
+    screen.run_steps(30);
     assert!(!screen.state().player.is_playing());
+}
+
+#[test]
+fn the_card_stops_the_motion_and_shows_it_again() {
+    let mut screen = ready_app([1200.0, 800.0]);
+    go(&mut screen, 0);
+    step_until(&mut screen, |app| app.player.is_moving());
+    screen.run_steps(2);
+    screen.get_by_label("Stop here").click();
+    screen.run_steps(3);
+    assert!(!screen.state().player.is_playing());
+    screen.get_by_label("Again").click();
+    step_until(&mut screen, |app| app.player.is_moving());
+}
+
+#[test]
+fn escape_that_closes_a_menu_or_a_window_leaves_the_tour() {
+    let mut screen = ready_app([1200.0, 800.0]);
+    go(&mut screen, 1);
+    screen.get_by_label("File").click();
+    screen.run_steps(3);
+    screen.key_press(Key::Escape);
+    screen.run_steps(3);
+    assert!(screen.state().windows.explore.is_touring(), "the menu was closed");
+    let context = screen.ctx.clone();
+    screen.state_mut().carry_out(&context, vec![Action::Export(ExportAction::Open)]);
+    screen.run_steps(3);
+    screen.key_press(Key::Escape);
+    screen.run_steps(3);
+    assert!(screen.state().windows.explore.is_touring(), "the window was closed");
+    screen.key_press(Key::Escape);
+    screen.run_steps(3);
+    assert!(!screen.state().windows.explore.is_touring());
 }
 
 #[test]

@@ -61,14 +61,14 @@ pub fn interact(
         return None;
     }
     drag_dots(ui, &response, side, model, view, handles, actions);
-    let holds_probe = probe::interact(ui, &response, side, model, view, handles);
-    let is_held = handles.grip.is_some() || holds_probe;
+    let on_probe = probe::interact(ui, &response, side, model, view, handles);
+    let is_held = handles.grip.is_some() || on_probe.is_held;
     if places_picture {
         picture_gestures::drag(ui, &response, side, model, view, is_held, actions);
     } else {
         move_camera(ui, &response, view, is_held, handles.hovered.is_none());
     }
-    let is_over = handles.grip.is_some() || handles.hovered.is_some();
+    let is_over = handles.grip.is_some() || handles.hovered.is_some() || on_probe.is_over;
     corners::interact(ui, &response, side, model, view, is_over, actions);
     match keyboard_navigation::of_viewport(ui, &response, side, handles) {
         Some(EyeMove::Step(step)) => view.pan(-step),
@@ -76,7 +76,9 @@ pub fn interact(
         Some(EyeMove::Fit) => view.fit(),
         None => {}
     }
-    point_at(ui, &response, side, view, handles);
+    if !on_probe.is_over {
+        point_at(ui, &response, side, view, handles);
+    }
     boundary_under_pointer(&response, side, model, view, handles)
 }
 

@@ -14,3 +14,10 @@ pub struct Windows {
     pub reports: reports::Reports,
     pub share: share::Share,
 }
+
+impl Windows {
+    /// Whether a window is open.
+    pub fn are_open(&self) -> bool {
+        self.explore.is_open() || self.exporter.is_open() || self.reports.is_open() || self.share.is_open()
+    }
+}

@@ -39,6 +39,11 @@ pub struct Reports {
 }
 
 impl Reports {
+    /// Whether the window is open.
+    pub fn is_open(&self) -> bool {
+        self.open.is_some()
+    }
+
     /// Opens a window and starts its measurements from the beginning.
     pub fn open(&mut self, report: Report) {
         let waiting = match report {

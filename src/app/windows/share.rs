@@ -54,6 +54,11 @@ struct Code {
 }
 
 impl Share {
+    /// Whether the window is open.
+    pub fn is_open(&self) -> bool {
+        self.is_open
+    }
+
     /// Opens or closes the window.
     pub fn set_open(&mut self, open: bool) {
         (self.is_open, self.shown) = (open, None);

@@ -568,7 +568,7 @@ n_shift_n_about = Zum nächsten Griff, zum vorigen
 arrow_keys_delete = Pfeiltasten, Entf
 arrow_keys_delete_about = Bewegen den gewählten Griff, mit Umschalt fein; entfernen ihn
 escape = Escape
-escape_about = Beendet Zeichnen und Umformen und schließt Fenster
+escape_about = Beendet Zeichnen, Umformen und den Rundgang und schließt Fenster
 ctrl_v = Strg+V
 ctrl_v_about = Nimmt einen Umriss aus der Zwischenablage: Pfaddaten, Koordinaten, GeoJSON
 
@@ -721,18 +721,19 @@ next = Weiter
 end = Beenden
 keep_picture = Dieses Bild behalten
 keep_picture_tooltip = Beendet den Rundgang hier
+show_again = Noch einmal zeigen
 end_tour_tooltip = Beendet den Rundgang und zeigt wieder das eigene Bild
 map_between_two_shapes = Eine Abbildung zwischen zwei Formen
-map_between_two_shapes_about = Was in einem Umriss gezeichnet ist, wird in den anderen übertragen: von Ort zu Ort gestreckt und gedreht, aber nie zerrissen und nie gefaltet. Der grüne Punkt wandert einmal herum, und alles folgt. Danach lässt er sich ziehen.
+map_between_two_shapes_about = Was in einem Umriss gezeichnet ist, wird in den anderen übertragen: von Ort zu Ort gestreckt und gedreht, aber nie zerrissen und nie gefaltet. x₁ wandert einmal herum, und alles folgt. Danach einen grünen Punkt ziehen.
 angles_stay = Winkel bleiben
-angles_stay_about = Das heißt konform. Der kleine Kreis wird wieder ein Kreis, größer oder kleiner (um |f′|) und gedreht, und der rechte Winkel in ihm bleibt einer. Den Kreis ziehen: Das gilt überall, und je kleiner der Kreis, desto genauer.
+angles_stay_about = Das heißt konform. Der kleine Kreis wird wieder ein Kreis, größer oder kleiner (um |f′|) und gedreht, und der rechte Winkel in ihm bleibt einer. Den Kreis ziehen: So ist es überall, und je kleiner der Kreis, desto genauer.
 three_freedoms = Drei Freiheiten
 three_freedoms_about = Riemann (1851): Zwischen zwei solchen Umrissen gibt es genau eine konforme Abbildung, sobald feststeht, wohin ein innerer Punkt geht (zwei Zahlen, die grünen Punkte) und wohin ein Randpunkt (eine Zahl, die magentafarbenen). Sie bewegen sich nacheinander: x₁, dann x₂, dann y₁.
 harmonic_measure_about = Eine Irrfahrt beginne im grünen Punkt. Die Wahrscheinlichkeit, dass sie durch ein Randstück austritt, ist dessen harmonisches Maß. Eine konforme Abbildung erhält es; also genügt es, das Maß entlang beider Ränder abzugleichen: So rechnet riemap.
 tour_crowding_about = Warum nicht über eine Scheibe? Die Arme dieses V schrumpfen auf deren Rand auf Längen von 10⁻¹⁷, und dem Rechner bleiben keine Stellen: Am Klecks sind die Marken außen am Umriss zusammengelaufen. Die inneren sind direkt abgeglichen und bleiben getrennt.
 surfaces = Flächen
 probed = |f′| = { $scale }, gedreht um { $turning }°
-surfaces_about = Dasselbe geht mit einer Fläche im Raum mit einem Rand: Jeder ihrer Punkte bekommt einen Ort im Umriss. Ihr Randpunkt wandert einmal herum; danach lässt sich die Fläche drehen, und die Punkte auf ihr lassen sich ziehen. So werden Texturen auf Modelle gelegt.
+surfaces_about = Dasselbe geht mit einer Fläche im Raum mit einem Rand: Jeder ihrer Punkte bekommt einen Ort im Umriss. y₁ wandert einmal um den Umriss, und das Muster läuft über den Kopf. Danach lässt sich der Kopf drehen, und die Punkte auf ihm lassen sich ziehen. So werden Texturen auf Modelle gelegt.
 
 ## user error
 

@@ -568,7 +568,7 @@ n_shift_n_about = Go to the next handle, to the one before
 arrow_keys_delete = Arrow keys, Delete
 arrow_keys_delete_about = Move the chosen handle, with Shift finely; take it away
 escape = Escape
-escape_about = Ends drawing and reshaping, and closes windows
+escape_about = Ends drawing, reshaping and the tour, and closes windows
 ctrl_v = Ctrl+V
 ctrl_v_about = Takes an outline from the clipboard: path data, coordinates, GeoJSON
 
@@ -721,18 +721,19 @@ next = Next
 end = End
 keep_picture = Keep this picture
 keep_picture_tooltip = Ends the tour here
+show_again = Again
 end_tour_tooltip = Ends the tour and shows your own picture again
 map_between_two_shapes = A map between two shapes
-map_between_two_shapes_about = Whatever is drawn inside one outline is carried into the other one: stretched and turned from place to place, but never torn and never folded. The green dot goes once around, and all of it follows. Then drag it yourself.
+map_between_two_shapes_about = Whatever is drawn inside one outline is carried into the other one: stretched and turned from place to place, but never torn and never folded. x₁ goes once around, and all of it follows. Then drag a green dot.
 angles_stay = Angles stay
-angles_stay_about = That is what conformal means. The small circle becomes a circle again, larger or smaller (by |f′|) and turned, and the right angle in it stays one. Drag the circle: it holds everywhere, and the smaller the circle, the better.
+angles_stay_about = That is what conformal means. The small circle becomes a circle again, larger or smaller (by |f′|) and turned, and the right angle in it stays one. Drag the circle: this is so everywhere, the better the smaller the circle.
 three_freedoms = Three freedoms
 three_freedoms_about = Riemann (1851): between two such outlines there is exactly one conformal map once you say where one inner point goes (two numbers, the green dots) and where one boundary point goes (one number, the magenta dots). See them move: x₁, then x₂, then y₁.
 harmonic_measure_about = Let a random walk start at the green dot. The chance that it leaves through a part of the boundary is that part's harmonic measure. A conformal map keeps it, so it is enough to match it along both boundaries: that is how riemap computes.
 tour_crowding_about = Why not go through a disk? From this V, arms shrink on the disk's rim to lengths of 10⁻¹⁷, and the computer has no digits left: on the blob, the marks outside of the outline have run together. Those inside are matched directly, and stay apart.
 surfaces = Surfaces
 probed = |f′| = { $scale }, turned by { $turning }°
-surfaces_about = The same works for a surface in space with one boundary: each of its points gets a place in the outline. Its boundary point goes once around; then turn the surface, or drag the dots on it. This is how textures are laid on models.
+surfaces_about = The same works for a surface in space with one boundary: each of its points gets a place in the outline. y₁ goes once around the outline, and the pattern runs over the head. Then turn the head, or drag the dots on it. This is how textures are laid on models.
 
 ## user error
 

@@ -1,6 +1,6 @@
 //! Animation: the points of a session move along a loop through the family of maps until they are paused.
 //!
-//! Nothing starts by itself. After a pause the points stay where they are, and playing again continues on
+//! Nothing starts by itself, except in the guided tour. After a pause the points stay where they are, and playing again continues on
 //! the same loop. The whole motion is one change of the session, which settles when it is paused.
 //!
 //! A loop starts at a complete map. If another path is chosen while the map lags behind the points, they wait
@@ -26,6 +26,8 @@ const LONGEST_FRAME: f64 = 0.1;
 pub enum PlayAction {
     /// Play, or pause.
     Toggle,
+    /// Play once around, then pause where the loop began.
+    Once,
     /// Choose which points move.
     Along(Path),
     /// Set the seconds per turn.
@@ -49,8 +51,9 @@ pub struct Player {
 struct Run {
     way: Loop,
     t: f64,
-    /// How many times it was gone around.
-    turns: u32,
+    /// Whether the motion ends after one turn, and whether it has.
+    once: bool,
+    has_come_around: bool,
     /// The time of the last frame; `None` at the beginning and after a pause.
     at: Option<f64>,
     scene: Scene,
@@ -89,9 +92,9 @@ impl Player {
         self.is_playing && self.awaited.is_none()
     }
 
-    /// How many times the points have gone around the present loop.
-    pub fn turns(&self) -> u32 {
-        self.run.as_ref().map_or(0, |run| run.turns)
+    /// Whether a motion of one turn has ended by itself.
+    pub fn has_come_around(&self) -> bool {
+        self.run.as_ref().is_some_and(|run| run.has_come_around)
     }
 
     /// Stops the points where they are.
@@ -107,6 +110,11 @@ impl Player {
         match action {
             PlayAction::Toggle if self.is_playing => self.pause(),
             PlayAction::Toggle => self.play(model),
+            PlayAction::Once => {
+                self.run = None;
+                self.play(model);
+                self.run.iter_mut().for_each(|run| run.once = true);
+            }
             PlayAction::Along(path) => {
                 (self.path, self.run) = (path, None);
                 self.awaited = self.is_playing.then(|| Scene::of(model));
@@ -121,6 +129,7 @@ impl Player {
         if self.run.is_none() {
             self.run = looping::begin(model, self.path).map(|way| Run::new(way, model));
         }
+        self.run.iter_mut().for_each(|run| (run.once, run.has_come_around) = (false, false));
         self.is_playing = self.run.is_some();
     }
 
@@ -146,14 +155,16 @@ impl Player {
         let step = run.at.map_or(0.0, |at| (now - at).clamp(0.0, LONGEST_FRAME));
         run.at = Some(now);
         let t = run.t + step / self.period;
-        (run.t, run.turns) = (t.rem_euclid(1.0), run.turns + u32::from(t >= 1.0));
+        run.has_come_around = run.once && t >= 1.0;
+        run.t = if run.has_come_around { 0.0 } else { t.rem_euclid(1.0) };
+        self.is_playing = !run.has_come_around;
         if step == 0.0 { Vec::new() } else { looping::commands(run.way.at(run.t)).collect() }
     }
 }
 
 impl Run {
     fn new(way: Loop, model: &Model) -> Self {
-        Self { way, t: 0.0, turns: 0, at: None, scene: Scene::of(model) }
+        Self { way, t: 0.0, once: false, has_come_around: false, at: None, scene: Scene::of(model) }
     }
 
     /// Whether the model's points are where the loop has left them.

@@ -3,7 +3,7 @@
 mod gallery;
 mod shortcuts;
 mod thumbnail;
-mod tour;
+pub mod tour;
 mod window;
 
 use crate::app::input::action::{Action, Actions, ExploreAction};
@@ -75,6 +75,11 @@ impl Explore {
         self.tour.as_ref().map(|tour| tour.step)
     }
 
+    /// Whether a window is open.
+    pub fn is_open(&self) -> bool {
+        self.window.is_some()
+    }
+
     /// Whether the tour is in progress.
     pub fn is_touring(&self) -> bool {
         self.tour.is_some()
@@ -86,9 +91,10 @@ impl Explore {
         Some([stop.title, stop.text].map(tr))
     }
 
-    /// Begins and ends the motions of the tour's step; returns the seconds after which it wants to be asked again.
-    pub fn conduct(&mut self, player: &mut Player, model: &Model, now: f64) -> Option<f64> {
-        self.tour.as_mut()?.motions.conduct(player, model, now)
+    /// Begins and ends the motions of the tour's step, unless the user `holds` a point; returns the seconds until the
+    /// next one is due.
+    pub fn conduct(&mut self, player: &mut Player, model: &Model, holds: bool, now: f64) -> Option<f64> {
+        self.tour.as_mut()?.motions.conduct(player, model, holds, now)
     }
 
     /// Ends the motions of the tour's step.
@@ -102,19 +108,12 @@ impl Explore {
     }
 
     /// Shows the card of the tour's step beside or below the pictures; if it `yields` to a message, it is hidden on a
-    /// low screen. Escape ends the tour where no window is open. Returns whether the card took the keyboard focus that
-    /// was due.
-    pub fn show_tour(&self, ui: &mut Ui, yields: bool, actions: &mut Actions) -> bool {
-        let Some(step) = self.step() else { return false };
-        if self.window.is_none() && ui.input(|input| input.key_pressed(egui::Key::Escape)) {
-            actions.push(Action::Explore(ExploreAction::LeaveTour { keeps: false }));
-        }
-        if yields && tour::card::is_low(ui) {
-            return false;
-        }
+    /// low screen. `player` moves the points. Returns whether the card took the keyboard focus that was due.
+    pub fn show_tour(&self, ui: &mut Ui, player: &Player, yields: bool, actions: &mut Actions) -> bool {
+        let Some(step) = self.step().filter(|_| !(yields && tour::card::is_low(ui))) else { return false };
         // a window that opens over the tour gets the focus
         let takes_focus = self.window.is_none() && self.focus_due;
-        tour::card::show(ui, step, takes_focus, actions);
+        tour::card::show(ui, step, player.is_playing(), takes_focus, actions);
         takes_focus
     }
 

@@ -61,6 +61,11 @@ pub struct Exporter {
 }
 
 impl Exporter {
+    /// Whether the window is open.
+    pub fn is_open(&self) -> bool {
+        self.is_open
+    }
+
     /// Opens the window; [`Self::show`] draws it.
     pub fn open(&mut self) {
         self.is_open = true;

@@ -1,5 +1,5 @@
-//! What a step of the tour does by itself: its points move one after another, each once around, until the user takes
-//! over by a dot, a key or a button.
+//! The motions of a step of the tour: its points move one after another, each once around, until the user holds a
+//! point, or starts or stops the motion.
 
 use crate::family::Path;
 use crate::model::Model;
@@ -13,56 +13,62 @@ const TURN: f64 = 7.0;
 /// The motions of a step.
 #[derive(Debug)]
 pub struct Motions {
-    paths: std::slice::Iter<'static, Path>,
-    /// When the step's map was first complete.
-    since: Option<f64>,
-    /// Whether a motion of this step has begun that has not ended.
-    is_moving: bool,
+    /// The paths that are left.
+    paths: &'static [Path],
+    stage: Stage,
     /// The player's settings from before the first motion.
     before: Option<[PlayAction; 2]>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Stage {
+    /// The map is not complete yet.
+    Waiting,
+    /// The next motion begins at this time.
+    Due(f64),
+    Moving,
 }
 
 impl Motions {
     /// The motions along these paths, one after another.
     pub fn new(paths: &'static [Path]) -> Self {
-        Self { paths: paths.iter(), since: None, is_moving: false, before: None }
+        Self { paths, stage: Stage::Waiting, before: None }
     }
 
-    /// Begins the next motion when it is due, and ends one that is once around; returns the seconds after which it
-    /// wants to be asked again. After a pause that is not its own it does nothing more.
-    pub fn conduct(&mut self, player: &mut Player, model: &Model, now: f64) -> Option<f64> {
-        if self.is_moving && !player.is_playing() {
-            self.paths = [].iter();
-            self.is_moving = false;
+    /// Begins the next motion when it is due; returns the seconds until then. If the user `holds` a point, or has
+    /// started or stopped the motion, no further one begins.
+    pub fn conduct(&mut self, player: &mut Player, model: &Model, holds: bool, now: f64) -> Option<f64> {
+        let is_moving = self.stage == Stage::Moving;
+        if is_moving && player.has_come_around() {
+            self.stage = Stage::Due(now);
+        } else if holds || is_moving != player.is_playing() {
+            self.paths = &[];
         }
-        if self.is_moving && player.turns() >= 1 {
-            player.pause();
-            self.is_moving = false;
+        let (path, rest) = self.paths.split_first().filter(|_| self.stage != Stage::Moving && model.is_ready())?;
+        let due = if let Stage::Due(due) = self.stage { due } else { now + LOOK };
+        self.stage = Stage::Due(due);
+        if due > now {
+            return Some(due - now);
         }
-        if self.is_moving || self.paths.len() == 0 || !model.is_ready() {
-            return None;
-        }
-        let left = *self.since.get_or_insert(now) + LOOK - now;
-        if left > 0.0 {
-            return Some(left);
-        }
-        let path = *self.paths.next()?;
-        let settings = [PlayAction::Period(player.period()), PlayAction::Along(player.path())];
-        self.before.get_or_insert(settings);
-        player.act(PlayAction::Period(TURN), model);
-        player.act(PlayAction::Along(path), model);
-        player.act(PlayAction::Toggle, model);
-        self.is_moving = player.is_playing();
+        self.paths = rest;
+        self.begin(*path, player, model);
         None
     }
 
-    /// Ends the motions of this step, and gives the player its settings back.
-    pub fn end(&mut self, player: &mut Player, model: &Model) {
-        if std::mem::take(&mut self.is_moving) {
-            player.pause();
+    fn begin(&mut self, path: Path, player: &mut Player, model: &Model) {
+        self.before.get_or_insert([PlayAction::Period(player.period()), PlayAction::Along(player.path())]);
+        for action in [PlayAction::Period(TURN), PlayAction::Along(path), PlayAction::Once] {
+            player.act(action, model);
         }
-        self.paths = [].iter();
-        for setting in self.before.take().into_iter().flatten() {
+        self.stage = if player.is_playing() { Stage::Moving } else { Stage::Waiting };
+    }
+
+    /// Ends the motions, and gives the player its settings back.
+    pub fn end(&mut self, player: &mut Player, model: &Model) {
+        let Some(before) = self.before.take() else { return };
+        player.pause();
+        self.paths = &[];
+        for setting in before {
             player.act(setting, model);
         }
     }
