@@ -1,10 +1,9 @@
 //! What is reported to the page around the app, each new error once, and to a screen reader.
 
 use super::frame::REST_SECONDS;
-use super::input::preferences::Preferences;
 use super::{RiemapApp, accessibility, message_bar};
 use crate::conformal::Side;
-use crate::language::Message;
+use crate::language::{self, Language, Message};
 use crate::model::PointedImage;
 use crate::platform::{self, PageEvent};
 use crate::worker::FoundInvariants;
@@ -33,8 +32,8 @@ struct News {
     formula: Vec<(Message, bool)>,
     /// The step of the tour.
     step: Option<usize>,
-    /// The preferences, which include the language.
-    preferences: Preferences,
+    /// The language of the description.
+    language: Language,
     /// The time at which the notice ends.
     notice_until: Option<f64>,
 }
@@ -94,7 +93,7 @@ impl RiemapApp {
             errors: self.errors(),
             formula: self.windows.exporter.formula_notes(),
             step: self.windows.explore.step(),
-            preferences: self.screen.preferences,
+            language: language::current(),
             notice_until: self.messages.notice.map(|notice| notice.until),
         }
     }

@@ -4,7 +4,7 @@
 use super::RiemapApp;
 use crate::app::input::action::{Action, Actions, EditAction, ExploreAction};
 use crate::app::input::locks::Locks;
-use crate::app::input::preferences::Preferences;
+use crate::app::input::preferences::{Habit, Preferences};
 use crate::app::input::presentation;
 use crate::app::windows::explore::Consequences;
 use crate::conformal::Side;
@@ -49,6 +49,7 @@ impl RiemapApp {
             Action::OpenSession => self.pick_file(FilePurpose::Session),
             Action::SaveSession => self.save_session(),
             Action::CopyLink => self.copy_link(context),
+            Action::Share(action) => self.share(action),
             Action::OpenOutline(side) => self.pick_file(FilePurpose::Outline(side)),
             Action::OpenTrace(side) => self.pick_file(FilePurpose::Trace(side)),
             Action::TraceImage => self.trace_image(),
@@ -69,7 +70,12 @@ impl RiemapApp {
             Action::Invariants(action) => self.model.act_on_invariants(action),
             Action::Explore(action) => self.explore(action),
             Action::Prefer(preferences) => self.prefer(context, preferences),
+            Action::Recall(habit) => self.recall(habit),
             Action::TogglePanels => self.fold_panels(),
+            Action::ToggleColumn => {
+                let open = self.screen.column_open(context.content_rect().height());
+                self.screen.column_asked = Some(!open);
+            }
             Action::OpenSheet(open) => self.screen.sheet_open = open,
             Action::Plots(action) => self.plots.act(action),
             Action::ToggleFullScreen => platform::toggle_full_screen(context),
@@ -159,6 +165,16 @@ impl RiemapApp {
         self.screen.preferences = preferences;
         preferences.apply(context);
         preferences.remember();
+    }
+
+    /// Stores what the user has seen or unfolded. Language and theme are stored as chosen: those of the screen may be
+    /// the address's.
+    pub(super) fn recall(&mut self, habit: Habit) {
+        let habits = self.screen.preferences.habits.and(habit);
+        if habits == std::mem::replace(&mut self.screen.preferences.habits, habits) || !self.screen.remembers {
+            return;
+        }
+        Preferences { habits, ..Preferences::remembered() }.remember();
     }
 
     /// Hides the panels or shows them; an embedded app has none.

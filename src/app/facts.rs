@@ -2,7 +2,9 @@
 
 use super::{RiemapApp, editing};
 use crate::app::overlays;
-use crate::app::status::stats::{FormulaStats, HandlePositions, PlotStats, ScreenStats, Stats, WindowStats};
+use crate::app::status::stats::{
+    FormulaStats, HandlePositions, PlotStats, ScreenStats, ShareStats, Stats, WindowStats,
+};
 use crate::app::viewport::gpu::Gpu;
 use crate::app::windows::Windows;
 use crate::conformal::{Extension, PerSide, Side};
@@ -43,6 +45,10 @@ impl RiemapApp {
                 progress: exporter.formula_progress(),
                 reached: exporter.formula_notes().iter().map(|(note, _)| note.english()).collect(),
             },
+            share: self.windows.share.address().map(|address| {
+                let modules = self.windows.share.modules();
+                ShareStats { bytes: address.len(), modules }
+            }),
             close: explore.close().map(|(name, place)| (name, self.css_pixels(place))).into_iter().collect(),
         }
     }

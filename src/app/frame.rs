@@ -4,6 +4,7 @@
 use super::arrangement::Arrangement;
 use super::incoming::WORDS_FOLLOW_AFTER;
 use super::input::action::Actions;
+use super::input::preferences::Habit;
 use super::layout::LaidOut;
 use super::{RiemapApp, editing, layout, message_bar, pictures};
 use crate::app::viewport::gpu::Gpu;
@@ -64,12 +65,16 @@ impl RiemapApp {
         editing::show_paste(context, &mut self.editor, actions);
         self.windows.explore.show(context, actions);
         self.show_exporter(context, actions);
+        self.show_share(context, actions);
     }
 
     /// Sends due requests to the workers, updates the map, uploads.
     pub(super) fn advance(&mut self, context: &egui::Context) {
         let now = context.input(|input| input.time);
         self.editor.follow(&mut self.model, &mut self.pictures.views);
+        if self.input.handles.ever_dragged {
+            self.recall(Habit::Dragged);
+        }
         self.begin_study();
         let moves = self.play(context, now);
         self.refresh(context, moves, now);

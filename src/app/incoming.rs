@@ -176,7 +176,7 @@ impl RiemapApp {
             }
         };
         let picture = Picture { name, pixels };
-        if let FilePurpose::Trace(side) = purpose {
+        if let FileKind::Trace(side) = FileKind::of(purpose, &picture.name) {
             return self.take_traced(side, files::traced(&picture));
         }
         if purpose == FilePurpose::OfSession {

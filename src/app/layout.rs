@@ -8,9 +8,11 @@ use super::{RiemapApp, editing, plots, status, theme};
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::presentation;
 use crate::app::language::words;
-use crate::app::menus::{file_menu, top_bar};
+use crate::app::menus::file_menu;
+use crate::app::menus::top_bar::TopBar;
 use crate::app::message_bar;
-use crate::app::panels::{play_panel, side_panel};
+use crate::app::panels::side_panel::Column;
+use crate::app::panels::{header, play_panel, side_panel, welcome};
 use crate::app::plots::BoundaryPlace;
 use crate::app::theme::widgets::chevron;
 use crate::language::{key, tr};
@@ -25,8 +27,8 @@ const SCROLL_BAR: f32 = 8.0;
 const SHEET_HANDLE: f32 = 44.0;
 /// The height of the strip that is left free for the page's own link, if the app is embedded.
 const LINK_STRIP: f32 = 28.0;
-/// The share of the screen's height that the open sheet takes in addition to its handle.
-const SHEET_SHARE: f32 = 0.42;
+/// The share of the screen's height that the pictures keep beside the open sheet, at least.
+const PICTURES_SHARE: f32 = 0.5;
 
 /// The least share of the screen's height for the pictures during the tour.
 const PICTURES_IN_TOUR: f32 = 0.6;
@@ -60,8 +62,11 @@ pub fn show(app: &RiemapApp, ui: &mut Ui) -> LaidOut {
             // the card of the tour is there
         } else if narrow {
             pointed = sheet(app, ui, &mut actions);
-        } else {
+        } else if app.screen.column_open(ui.ctx().content_rect().height()) {
             panel(app, ui, &mut actions);
+        }
+        if welcomes(app) {
+            welcome::show(ui, &mut actions);
         }
     }
     if app.options.embed {
@@ -80,6 +85,12 @@ pub fn show(app: &RiemapApp, ui: &mut Ui) -> LaidOut {
     LaidOut { arrangement, actions, pointed, focused_tour }
 }
 
+/// Whether the welcome is shown: until it is used, and unless a lesson, the tour, a sheet or a drawing needs the room.
+fn welcomes(app: &RiemapApp) -> bool {
+    let is_busy = app.windows.explore.is_touring() || app.screen.sheet_open || app.editor.side().is_some();
+    !app.screen.preferences.habits.welcomed && !app.options.embed && !app.options.present && !is_busy
+}
+
 /// The key P opens or closes the plots, unless a control has the focus.
 fn keys(app: &RiemapApp, ui: &Ui, actions: &mut Actions) {
     let is_p = |event: &Event| {
@@ -92,19 +103,26 @@ fn keys(app: &RiemapApp, ui: &Ui, actions: &mut Actions) {
     }
 }
 
-fn bar_frame(palette: &Palette) -> Frame {
-    Frame::new().fill(palette.panel).inner_margin(Margin::symmetric(14, 0))
+fn bar_frame(palette: &Palette, narrow: bool) -> Frame {
+    Frame::new().fill(palette.panel).inner_margin(Margin::symmetric(if narrow { 8 } else { 14 }, 0))
 }
 
 fn bars(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
-    Panel::top("top").exact_size(46.0).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
-        top_bar::show(ui, &app.model, &app.persistence, app.screen.preferences, narrow, actions);
+    Panel::top("top").exact_size(46.0).resizable(false).frame(bar_frame(&palette, narrow)).show(ui, |ui| {
+        let bar = TopBar {
+            model: &app.model,
+            persistence: &app.persistence,
+            preferences: app.screen.preferences,
+            narrow,
+            has_shapes: narrow || !header::has_room(ui, app.pictures.views.source.rect.width()),
+        };
+        bar.show(ui, actions);
     });
     let (backend, adapter) = app.pictures.gpu.as_ref().map(|gpu| (gpu.backend(), gpu.adapter())).unwrap_or_default();
     let extension = app.cauchy_green().map(|processor| words::cauchy_green(processor, app.model.extension_progress()));
     let backend = extension.into_iter().chain([backend]).collect::<Vec<_>>().join(" · ");
-    Panel::bottom("status").exact_size(26.0).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
+    Panel::bottom("status").exact_size(26.0).resizable(false).frame(bar_frame(&palette, narrow)).show(ui, |ui| {
         let pointed = app.pictures.pointed.as_ref().zip(app.input.handles.pointed.map(|at| at.decimals));
         status::show(ui, &app.model, &app.screen.meter, [&backend, &adapter], pointed, narrow);
     });
@@ -116,26 +134,34 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     Panel::left("controls").exact_size(PANEL_WIDTH).resizable(false).frame(frame).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             ui.set_max_width(ui.available_width() - SCROLL_BAR);
-            side_panel::show(ui, &app.model, &app.player, image_name(app), actions);
+            side_panel::show(ui, &app.model, &app.player, column(app, false), actions);
         });
     });
 }
 
-fn image_name(app: &RiemapApp) -> Option<&str> {
-    app.pictures.image.as_ref().map(|image| image.file.name.as_str())
+fn column(app: &RiemapApp, in_sheet: bool) -> Column<'_> {
+    let image_name = app.pictures.image.as_ref().map(|image| image.file.name.as_str());
+    Column { image_name, advanced: app.screen.preferences.habits.advanced, in_sheet }
 }
 
 /// Whether the plots leave the pictures their part of the screen in the tour.
 fn has_room_for_plots(ui: &Ui) -> bool {
+    if plots::width_beside(ui.available_size()).is_some() {
+        return true;
+    }
     let left = ui.available_height() - plots::dock_height(ui.available_width(), ui.available_height());
     left >= PICTURES_IN_TOUR * ui.ctx().content_rect().height()
 }
 
-/// The plots below the viewports; they stay when the panels are hidden. Returns the place under the pointer.
+/// The plots beside or below the viewports; they stay when the panels are hidden. Returns the place under the pointer.
 fn dock(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) -> Option<BoundaryPlace> {
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new().fill(palette.panel).inner_margin(Margin { left: 14, right: 14, top: 6, bottom: 4 });
     let (width, height) = (ui.available_width(), ui.available_height());
+    if let Some(beside) = plots::width_beside(ui.available_size()) {
+        let panel = Panel::right("plots-beside").exact_size(beside).resizable(false).frame(frame);
+        return panel.show(ui, |ui| app.plots.show_column(ui, &app.model, height, actions)).inner;
+    }
     let panel = Panel::bottom("plots").exact_size(plots::dock_height(width, height)).resizable(false).frame(frame);
     panel.show(ui, |ui| app.plots.show_dock(ui, &app.model, width, actions)).inner
 }
@@ -144,8 +170,11 @@ fn dock(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) -> Option<BoundaryP
 fn sheet(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) -> Option<BoundaryPlace> {
     let palette = Palette::of(ui.visuals());
     let open = ui.ctx().animate_bool(Id::unique("sheet open"), app.screen.sheet_open);
-    let height = SHEET_HANDLE + open * SHEET_SHARE * ui.ctx().content_rect().height();
-    let panel = Panel::bottom("sheet").exact_size(height).resizable(false).frame(bar_frame(&palette));
+    let screen = ui.ctx().content_rect();
+    // what the bars above and below have left is the pictures' and the sheet's
+    let sheet = ui.available_height() - PICTURES_SHARE * screen.height();
+    let height = SHEET_HANDLE + open * (sheet - SHEET_HANDLE).max(0.0);
+    let panel = Panel::bottom("sheet").exact_size(height).resizable(false).frame(bar_frame(&palette, false));
     let content = |ui: &mut Ui| {
         let plots = app.model.session().plots();
         if let Some(asked) = sheet_tabs(ui, app.screen.sheet_open, plots) {
@@ -159,7 +188,7 @@ fn sheet(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) -> Option<Boundary
         if open > 0.0 {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - SCROLL_BAR);
-                side_panel::show(ui, &app.model, &app.player, image_name(app), actions);
+                side_panel::show(ui, &app.model, &app.player, column(app, true), actions);
                 ui.add_space(10.0);
             });
         }

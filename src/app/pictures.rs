@@ -15,6 +15,9 @@ use crate::conformal::Side;
 use crate::render::{Pace, TextureStyle};
 use egui::{Stroke, Ui, UiBuilder};
 
+/// The height from which a tight picture has a row for the legend of the dots, in points.
+const LEGEND_FROM: f32 = 180.0;
+
 /// Places the pictures in the area that the panels leave, and turns gestures over them into actions.
 pub fn interact(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, actions: &mut Actions) {
     let area = UiBuilder::new().id_salt("gestures").max_rect(ui.available_rect_before_wrap());
@@ -96,7 +99,8 @@ fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangemen
     let is_fitted = app.pictures.of(&app.model, side).is_fitted();
     let title = header::show(ui, side, &app.model, view.rect, is_fitted, around, actions);
     let scale = app.pictures.cells.scale().filter(|_| side == legend_side(&app.model));
-    if !tight {
+    let has_row = !tight || (view.rect.height() >= LEGEND_FROM && scale.is_none());
+    if has_row {
         let beside = scale.map_or(0.0, |_| legend::width(view.rect, tight));
         header::legend(ui, side, &app.model, view, beside);
     }

@@ -4,8 +4,12 @@ use super::input::preferences::Preferences;
 use super::status::FrameMeter;
 
 /// The state of the screen that is not part of a session.
+#[allow(clippy::struct_excessive_bools, reason = "each is a state of its own: what is open, and what the device has")]
 pub struct Screen {
+    /// Whether the bars and the column of controls are shown.
     pub panels_open: bool,
+    /// Whether the user has unfolded or folded the column of controls; used on wide screens only.
+    pub column_asked: Option<bool>,
     /// Whether the sheet of controls or plots is open; used on narrow screens only.
     pub sheet_open: bool,
     /// egui's zoom factor in this frame.
@@ -14,19 +18,32 @@ pub struct Screen {
     pub theme: egui::Theme,
     pub has_fingers: bool,
     pub preferences: Preferences,
+    /// Whether what the user has seen is stored for the next start.
+    pub remembers: bool,
     pub meter: FrameMeter,
 }
 
+/// On a screen lower than this, in points, the column of controls is folded at first: a phone on its side has no width
+/// for it.
+const LOW: f32 = 450.0;
+
 impl Screen {
+    /// Whether the column of controls is unfolded, on a screen of this height.
+    pub fn column_open(&self, height: f32) -> bool {
+        self.column_asked.unwrap_or(height >= LOW)
+    }
+
     /// The state before the first frame.
-    pub fn new(preferences: Preferences, panels_open: bool, has_fingers: bool) -> Self {
+    pub fn new(preferences: Preferences, panels_open: bool, has_fingers: bool, remembers: bool) -> Self {
         Self {
             panels_open,
+            column_asked: None,
             sheet_open: false,
             zoom: 1.0,
             theme: egui::Theme::Dark,
             has_fingers,
             preferences,
+            remembers,
             meter: FrameMeter::default(),
         }
     }

@@ -2,8 +2,10 @@
 
 use super::RiemapApp;
 use super::messages::Notice;
+use crate::app::input::action::{Actions, ShareAction};
 use crate::app::input::locks::Control;
 use crate::app::viewport::gpu::Gpu;
+use crate::app::windows::share::SharedLink;
 use crate::language::{Message, key};
 use crate::model::files::FilePurpose;
 use crate::model::persistence;
@@ -85,6 +87,35 @@ impl RiemapApp {
             }
             Err(error) => self.messages.common = Some(key::no_link_to_session(Message::from(&error))),
         }
+    }
+
+    /// Carries out an action of the window that shares the link.
+    pub(super) fn share(&mut self, action: ShareAction) {
+        match action {
+            ShareAction::Open => self.windows.share.set_open(true),
+            ShareAction::Close => self.windows.share.set_open(false),
+            ShareAction::Send => {
+                if let Some(address) = self.windows.share.address() {
+                    platform::share(address, self.workers.mailbox.clone());
+                }
+            }
+        }
+    }
+
+    /// Shows the window of the link, if it is open.
+    pub(super) fn show_share(&mut self, context: &egui::Context, actions: &mut Actions) {
+        if self.windows.share.needs(self.model.session()) {
+            let link = self.link_to_share();
+            self.windows.share.renew(context, self.model.session().clone(), link);
+        }
+        self.windows.share.show(context, actions);
+    }
+
+    fn link_to_share(&self) -> Result<SharedLink, Message> {
+        let session = self.model.session();
+        let encoded = link::encode(session).map_err(|error| key::no_link_to_session(Message::from(&error)))?;
+        let lacks = persistence::lacks(session, &encoded, self.persistence.missing());
+        Ok(SharedLink { address: platform::address_with(&encoded.fragment), lacks })
     }
 
     /// The link of this session, if it contains all of its outlines and none is replaced by a placeholder disk.

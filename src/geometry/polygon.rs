@@ -116,6 +116,26 @@ impl SimplePolygon {
         self.edges().map(|(a, b)| a.distance(b)).sum()
     }
 
+    /// The place of the top-most point, as a fraction of the boundary's length from the first vertex. Of several such
+    /// points, as on a flat top, it is the one nearest to the vertical line through the middle of the box.
+    pub fn fraction_of_top(&self) -> f64 {
+        let bounds = self.bounds();
+        let (middle, top) = (bounds.center().x, bounds.corners()[1].y);
+        let (mut before, mut best) = (0.0, (f64::INFINITY, 0.0));
+        for (a, b) in self.edges() {
+            let length = a.distance(b);
+            if a.y == top {
+                let share = if b.y == top { ((middle - a.x) / (b.x - a.x)).clamp(0.0, 1.0) } else { 0.0 };
+                let aside = (a.x + share * (b.x - a.x) - middle).abs();
+                if aside < best.0 {
+                    best = (aside, before + share * length);
+                }
+            }
+            before += length;
+        }
+        (best.1 / before).rem_euclid(1.0)
+    }
+
     /// The enclosed area, `½ Σ (v_k − v_0) × (v_{k+1} − v_0)`; not negative.
     pub fn area(&self) -> f64 {
         let origin = self.vertices[0];

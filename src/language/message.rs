@@ -78,12 +78,21 @@ impl From<String> for Message {
 /// An argument of a message.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Value {
-    /// A name, a formatted number, or text from elsewhere.
+    /// A name, or text from elsewhere.
     Text(Cow<'static, str>),
+    /// A number with a decimal point, which German writes with a comma.
+    Number(String),
     /// A count, on which the form of the words may depend.
     Count(i64),
     /// A message that is translated itself.
     Message(Message),
+}
+
+impl Value {
+    /// A number that was formatted with a decimal point.
+    pub fn number(text: String) -> Self {
+        Self::Number(text)
+    }
 }
 
 impl From<&str> for Value {
@@ -106,7 +115,7 @@ impl From<&String> for Value {
 
 impl From<f64> for Value {
     fn from(number: f64) -> Self {
-        Self::Text(number.to_string().into())
+        Self::Number(number.to_string())
     }
 }
 

@@ -75,6 +75,7 @@ impl Language {
         for (name, value) in message.arguments() {
             let value = match value {
                 Value::Text(text) => FluentValue::from(text.as_ref()),
+                Value::Number(number) => FluentValue::from(self.decimal(number)),
                 Value::Count(count) => FluentValue::from(*count),
                 Value::Message(message) => FluentValue::from(self.message(message)),
             };
@@ -83,6 +84,14 @@ impl Language {
         // a test looks up all messages
         let words = |language: Self| language.look_up(message.key(), Some(&arguments), &mut Vec::new());
         words(self).or_else(|| words(Self::English)).map_or_else(|| message.key().to_owned(), Cow::into_owned)
+    }
+
+    /// A number with a decimal point, as people read it.
+    fn decimal(self, number: &str) -> String {
+        match self {
+            Self::English => number.to_owned(),
+            Self::German => number.replace('.', ","),
+        }
     }
 
     /// The text of a key, `None` if there is none; errors in it are added to `errors`.
@@ -161,11 +170,12 @@ pub fn say(message: &Message) -> String {
     current().message(message)
 }
 
-/// A number with `digits` decimals for screen readers, with a decimal comma in German, where a point groups thousands.
+/// A number with `digits` decimals for people, with a decimal comma in German, where a point groups thousands.
 pub fn number(value: f64, digits: usize) -> String {
-    let text = format!("{value:.digits$}");
-    match current() {
-        Language::English => text,
-        Language::German => text.replace('.', ","),
-    }
+    current().decimal(&format!("{value:.digits$}"))
+}
+
+/// A number with a decimal point, as people read it in the current language.
+pub fn decimal(text: &str) -> String {
+    current().decimal(text)
 }

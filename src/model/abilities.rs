@@ -131,7 +131,7 @@ impl Abilities {
         match (side, self.surfaces.into_array()) {
             (Side::Source, [true, true]) => Some(key::surfaces_direction()),
             (Side::Target, [true, true]) => None,
-            (Side::Source, _) => Some(key::surface_direction_right()),
+            (Side::Source, _) => Some(key::surface_direction_target()),
             (Side::Target, _) => Some(key::surface_direction()),
         }
     }
@@ -212,9 +212,14 @@ impl Model {
         self.map().is_some() || self.abilities().compares_outlines()
     }
 
-    /// The hint in the status line about the gestures in the pictures.
-    pub fn hint(&self) -> Label {
-        if self.abilities().compares_outlines() { key::hint_plane() } else { key::hint_surface() }
+    /// The hint in the status line about the gestures in the pictures, for fingers or for a mouse.
+    pub fn hint(&self, fingers: bool) -> Label {
+        match (self.abilities().compares_outlines(), fingers) {
+            (true, false) => key::hint_plane(),
+            (true, true) => key::hint_plane_touch(),
+            (false, false) => key::hint_surface(),
+            (false, true) => key::hint_surface_touch(),
+        }
     }
 }
 

@@ -250,8 +250,8 @@ impl Model {
     fn take_prepared(&mut self, side: Side, spec: DomainSpec, is_new: bool) {
         if is_new && spec.outline != self.session.domain(side).outline {
             // a surface that was opened with the outline, or before it, stays
-            let outline = spec.outline;
-            self.session.apply(Command::ReshapeOutline { side, outline, interior: None, anchor: 0.0 });
+            let (anchor, outline) = (spec.outline.first_anchor(), spec.outline);
+            self.session.apply(Command::ReshapeOutline { side, outline, interior: None, anchor });
         }
         if self.sides[side].next.take_outline() {
             self.session.apply(Command::CloseSurface(side));

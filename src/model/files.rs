@@ -47,7 +47,9 @@ pub fn endings(purpose: FilePurpose) -> Vec<&'static str> {
     match purpose {
         FilePurpose::Image | FilePurpose::OfSession | FilePurpose::Trace(_) => IMAGE_ENDINGS.to_vec(),
         FilePurpose::Session => vec![file::EXTENSION],
-        FilePurpose::Outline(_) | FilePurpose::Dropped(_) => [&OUTLINE_ENDINGS[..], &SURFACE_ENDINGS].concat(),
+        FilePurpose::Outline(_) | FilePurpose::Dropped(_) => {
+            [&OUTLINE_ENDINGS[..], &SURFACE_ENDINGS, &IMAGE_ENDINGS, &[file::EXTENSION]].concat()
+        }
     }
 }
 
@@ -76,12 +78,14 @@ pub enum FileKind {
 }
 
 impl FileKind {
-    /// The kind of a file. The name decides for a dropped file, and between outlines, surfaces and sessions.
+    /// The kind of a file. The name decides for a dropped file, and between outlines, surfaces, pictures to trace and
+    /// sessions.
     pub fn of(purpose: FilePurpose, name: &str) -> Self {
         match purpose {
             FilePurpose::Image | FilePurpose::OfSession => Self::Texture,
             FilePurpose::Dropped(_) if has_ending(name, &IMAGE_ENDINGS) => Self::Texture,
             FilePurpose::Trace(side) => Self::Trace(side),
+            FilePurpose::Outline(side) if has_ending(name, &IMAGE_ENDINGS) => Self::Trace(side),
             FilePurpose::Session => Self::Session,
             _ if has_ending(name, &[file::EXTENSION]) => Self::Session,
             FilePurpose::Outline(side) | FilePurpose::Dropped(side) => {
@@ -135,6 +139,7 @@ mod tests {
     fn a_dropped_png_is_a_texture_whatever_the_case_of_its_ending() {
         assert_eq!(FileKind::of(FilePurpose::Dropped(Side::Target), "a.PNG"), FileKind::Texture);
         assert_eq!(FileKind::of(FilePurpose::Trace(Side::Target), "a.PNG"), FileKind::Trace(Side::Target));
+        assert_eq!(FileKind::of(FilePurpose::Outline(Side::Source), "bird.JPG"), FileKind::Trace(Side::Source));
     }
 
     #[test]

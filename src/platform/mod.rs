@@ -5,16 +5,17 @@
 //! [`drop_position`], [`address_query`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
 //! [`visit`], [`new_visit`], [`begin_visit`], [`keep`], [`first_kept`], [`load_visit`],
 //! [`languages`], [`say_language`], [`say`], [`describe`], [`has_fingers`], [`has_full_screen`],
-//! [`toggle_full_screen`], [`tell_page`], [`watch_graphics`]. Whatever happens between frames arrives in order as an
+//! [`toggle_full_screen`], [`can_share`], [`share`], [`tell_page`], [`watch_graphics`]. Whatever happens between frames arrives in order as an
 //! [`Event`] in the app's mailbox and wakes the app; only files, on the web, are passed to the app directly.
 
 #[cfg(target_arch = "wasm32")]
 mod web;
 #[cfg(target_arch = "wasm32")]
 pub use web::{
-    Preparer, StudyRunner, address_query, address_with, begin_visit, decode_image, describe, drop_position, first_kept,
-    has_fingers, has_full_screen, keep, languages, link, load_visit, new_visit, pick_file, read_dropped, remember,
-    remembered, save_file, say, say_language, show_link, start, tell_page, toggle_full_screen, visit, watch_graphics,
+    Preparer, StudyRunner, address_query, address_with, begin_visit, can_share, decode_image, describe, drop_position,
+    first_kept, has_fingers, has_full_screen, keep, languages, link, load_visit, new_visit, pick_file, read_dropped,
+    remember, remembered, save_file, say, say_language, share, show_link, start, tell_page, toggle_full_screen, visit,
+    watch_graphics,
 };
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -23,9 +24,9 @@ mod native;
 mod native_image;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{
-    Preparer, StudyRunner, address_query, address_with, begin_visit, describe, drop_position, has_fingers,
+    Preparer, StudyRunner, address_query, address_with, begin_visit, can_share, describe, drop_position, has_fingers,
     has_full_screen, languages, link, new_visit, pick_file, read_dropped, remember, remembered, save_file, say,
-    say_language, show_link, start, tell_page, toggle_full_screen, visit, watch_graphics,
+    say_language, share, show_link, start, tell_page, toggle_full_screen, visit, watch_graphics,
 };
 #[cfg(not(target_arch = "wasm32"))]
 mod native_store;

@@ -47,6 +47,12 @@ impl Preparer {
     #[allow(clippy::unused_self, reason = "in the browser there are workers")]
     pub fn stop(&mut self, _side: Side) {}
 
+    /// Always true: a thread runs as soon as it is there.
+    #[allow(clippy::unused_self, reason = "in the browser there are workers")]
+    pub fn has_started(&self, _side: Side) -> bool {
+        true
+    }
+
     /// Starts a thread for `request`.
     pub fn request(&mut self, side: Side, request: Request) {
         let mailbox = self.mailbox.clone();
@@ -208,6 +214,14 @@ pub fn begin_visit(_id: &str) {}
 pub fn address_with(fragment: &str) -> String {
     format!("#{fragment}")
 }
+
+/// Whether the system has a dialog of its own that shares a link: not on a desktop.
+pub fn can_share() -> bool {
+    false
+}
+
+/// Passes a link to the system's dialog; there is none ([`can_share`]).
+pub fn share(_address: &str, _mailbox: Mailbox) {}
 
 /// Stores a text for [`remembered`]. Errors: the reason why it cannot be written.
 pub fn remember(what: Kept, text: &str) -> Result<(), Message> {

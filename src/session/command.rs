@@ -115,7 +115,9 @@ impl Session {
         match command {
             Command::SetOutline { side, outline } => {
                 let settings = self.sides[side].domain.settings;
+                let anchor = outline.first_anchor();
                 self.sides[side] = SideState::new(outline, settings);
+                self.sides[side].place(SidePoints::Outline { interior: None, anchor });
             }
             Command::ReshapeOutline { side, outline, interior, anchor } => {
                 self.sides[side].domain.outline = outline;

@@ -45,6 +45,16 @@ impl OutlineSpec {
         }
     }
 
+    /// Where the boundary point of a side with this new outline begins, as a fraction of the boundary's length: the
+    /// first point of a preset, which is made for it, and the top-most point of any other outline, so that it is
+    /// mapped upright.
+    pub fn first_anchor(&self) -> f64 {
+        match self {
+            Self::Preset(_) => 0.0,
+            Self::Points { polygon, .. } => polygon.fraction_of_top(),
+        }
+    }
+
     /// The outline as a curve. Errors: as [`CurveForm::curve`].
     pub fn curve(&self) -> Result<OutlineCurve, CurveError> {
         match self {

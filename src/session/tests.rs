@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::conformal::InteriorPoint;
+use crate::geometry::SimplePolygon;
 use crate::mesh::{BarycentricPoint, TriangleId};
 use crate::surface::SurfacePreset;
 
@@ -31,6 +32,26 @@ fn another_resolution_keeps_the_points() {
     session.apply(Command::SetSettings { side: Side::Target, settings });
     assert_eq!(session.domain(Side::Target).settings, settings);
     assert_eq!(session.side(Side::Target).anchor, 0.3);
+}
+
+#[test]
+fn a_loaded_outline_begins_upright_and_a_preset_at_its_first_point() {
+    // a house that is given from the lower right corner on, and a square, whose top is flat
+    let house = [[2.0, 0.0], [2.0, 2.0], [1.0, 3.0], [0.0, 2.0], [0.0, 0.0]];
+    let square = [[2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]];
+    let rim = 6.0 + 2.0 * 2_f64.sqrt();
+    for (points, expected) in [(&house[..], (2.0 + 2_f64.sqrt()) / rim), (&square[..], 3.0 / 8.0)] {
+        let polygon =
+            SimplePolygon::try_from(points.iter().map(|p| DVec2::from_array(*p)).collect::<Vec<_>>()).unwrap();
+        let outline = OutlineSpec::points("house".into(), polygon);
+        for side in Side::BOTH {
+            let session = Session::with([Command::SetOutline { side, outline: outline.clone() }]);
+            let anchor = session.side(side).anchor;
+            assert!((anchor - expected).abs() < 1e-15, "{anchor}, expected {expected}");
+        }
+    }
+    let preset = Command::SetOutline { side: Side::Source, outline: OutlineSpec::Preset(Preset::Heart) };
+    assert_eq!(Session::with([preset]).side(Side::Source).anchor, 0.0);
 }
 
 #[test]

@@ -156,7 +156,7 @@ pub enum TopologyError {
         count: usize,
     },
     /// More than one connected part.
-    #[error("the surface has {} components (triangles: {}): keep the largest one", .triangles.len(), Listed(.triangles))]
+    #[error("the surface has {} components: keep the largest one (triangles: {})", .triangles.len(), Listed(.triangles))]
     Components {
         /// Number of triangles in each part, largest first.
         triangles: Vec<usize>,
@@ -180,7 +180,7 @@ pub enum TopologyError {
         genus: usize,
     },
     /// More than one boundary loop.
-    #[error("the surface has {} boundary loops where a disk has one ({}): fill all but the longest", .loops.len(), Listed(.loops))]
+    #[error("the surface has {} boundary loops where a disk has one: fill all but the longest. They are {}", .loops.len(), Listed(.loops))]
     Loops {
         /// All loops, the longest first.
         loops: Vec<LoopReport>,

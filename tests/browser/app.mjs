@@ -292,6 +292,12 @@ export class App {
     throw new Error(`no control ${control} among: ${heard.join(' | ')}`);
   }
 
+  /** Unfolds the controls of the methods. */
+  async unfoldAdvanced() {
+    await this.walkTo(/^Advanced, button, not selected/);
+    await this.press('Space');
+  }
+
   /** The last announcement, once more than `spoken` controls have been announced. */
   async #saidAfter(spoken) {
     const said = (before) => window.riemap.stats().spoken > before && { text: document.getElementById('spoken').textContent };

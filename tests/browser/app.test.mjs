@@ -115,9 +115,15 @@ withEachBackend('the app', (bench) => {
     'an outline chosen in the file dialog replaces the source, and a cancelled dialog changes nothing',
     bench.withApp(async (app) => {
       const [before, session] = [await app.stats(), await app.session()];
-      await app.walkTo(/^Open…, button/);
+      const openFile = async () => {
+        await app.walkTo(/^Shapes, button/);
+        await app.press('Space');
+        await app.walkTo(/^Open a file…, button/);
+      };
+      await openFile();
       await app.inFileDialog(() => app.press('Enter'));
       assert.deepEqual(await app.session(), session);
+      await openFile();
       await app.inFileDialog(() => app.press('Enter'), 'forty.csv', POLYGON);
       await assertReplaced(app, 'source', before);
     }),

@@ -12,6 +12,7 @@ withOneBackend('invariants', (bench) => {
       const { source } = await app.session();
       await app.openSession({ source: { ...source, outline: { preset: 'disk' } } });
       await app.atRest('the disk is shown');
+      await app.unfoldAdvanced();
       await app.walkTo(/^Invariants · source, check box, not selected/i);
       await app.press('Space');
       const there = (stats) => stats.ready && stats.invariants[0]?.Ok;

@@ -68,6 +68,7 @@ withOneBackend('the pointer', (bench) => {
     'exact images are chosen, complete at rest, and kept in the session; finite elements have none',
     bench.withApp(async (app) => {
       const { undo, image_of_mapped_point: harmonic } = await openDisks(app, 'integral');
+      await app.unfoldAdvanced();
       await app.walkTo(/^Exact, choice, not selected/);
       await app.press('Space');
       const isExact = (stats, count) => stats.ready && stats.undo === count && stats.extension_progress === 1;

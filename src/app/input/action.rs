@@ -1,6 +1,6 @@
 //! The requests that panels, gestures and keys emit: session commands, and actions that concern only the screen.
 
-use crate::app::input::preferences::Preferences;
+use crate::app::input::preferences::{Habit, Preferences};
 use crate::conformal::Side;
 use crate::figures::LadderShape;
 use crate::geometry::DVec2;
@@ -29,6 +29,8 @@ pub enum Action {
     SaveSession,
     /// Copy the session's URL to the clipboard.
     CopyLink,
+    /// An action of the window that shares the link.
+    Share(ShareAction),
     /// Show the dialog that opens an outline file for this side.
     OpenOutline(Side),
     /// Show the dialog that opens an image whose outline is traced for this side.
@@ -69,8 +71,12 @@ pub enum Action {
     Explore(ExploreAction),
     /// Apply these preferences and store them for the next start.
     Prefer(Preferences),
-    /// Hide or show the panels.
+    /// Store what the user has seen or unfolded.
+    Recall(Habit),
+    /// Hide or show all panels and bars.
     TogglePanels,
+    /// Hide or show the column of controls.
+    ToggleColumn,
     /// Open or close the phone's sheet of controls and plots.
     OpenSheet(bool),
     /// An action of the plots' switches.
@@ -100,6 +106,7 @@ impl Action {
             | Self::Redo
             | Self::SaveSession
             | Self::CopyLink
+            | Self::Share(_)
             | Self::DismissOffer
             | Self::Fit(_)
             | Self::QuickFix(_)
@@ -113,7 +120,9 @@ impl Action {
             | Self::Invariants(_)
             | Self::Explore(ExploreAction::Shortcuts | ExploreAction::Close | ExploreAction::LeaveTour { .. })
             | Self::Prefer(_)
+            | Self::Recall(_)
             | Self::TogglePanels
+            | Self::ToggleColumn
             | Self::OpenSheet(_)
             | Self::Plots(_)
             | Self::ToggleFullScreen
@@ -227,6 +236,17 @@ pub enum ExportAction {
     /// Close the message in the window.
     DismissError,
     /// Cancel the export under way and close the window.
+    Close,
+}
+
+/// The actions of the window that shares the link.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ShareAction {
+    /// Show the window.
+    Open,
+    /// Pass the link to the system's dialog.
+    Send,
+    /// Close the window.
     Close,
 }
 

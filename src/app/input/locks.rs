@@ -86,7 +86,7 @@ impl Control {
             Action::Fit(_) => Some(Self::View),
             Action::OpenReport(_) | Action::Walks(_) | Action::Invariants(_) => Some(Self::Comparison),
             Action::Prefer(_) => Some(Self::Theme),
-            Action::TogglePanels => Some(Self::Panels),
+            Action::TogglePanels | Action::ToggleColumn => Some(Self::Panels),
             _ => None,
         }
     }

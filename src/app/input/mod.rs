@@ -35,3 +35,12 @@ pub struct Input {
     /// before the frame. The next frame carries them out first.
     pub asked: action::Actions,
 }
+
+impl Input {
+    /// The state at the start of a user with these habits.
+    pub fn after(habits: preferences::Habits) -> Self {
+        let mut input = Self::default();
+        input.handles.ever_dragged = habits.dragged;
+        input
+    }
+}

@@ -1,4 +1,4 @@
-//! The preferences of the user on this device: language and theme.
+//! The preferences of the user on this device: language and theme, and what was seen and unfolded.
 //!
 //! They are not part of a session, so opening a link changes neither language nor theme.
 
@@ -41,12 +41,57 @@ pub struct Preferences {
     pub language: Option<Language>,
     /// The chosen theme.
     pub appearance: Appearance,
+    /// What the user has seen and unfolded.
+    #[serde(skip_serializing_if = "are_new")]
+    pub habits: Habits,
+}
+
+/// What the user has seen and unfolded on this device; the default is that of the first visit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(default, rename_all = "kebab-case")]
+pub struct Habits {
+    /// The welcome was used or closed.
+    pub welcomed: bool,
+    /// A dot was dragged or focused: the hint to drag one is not shown again.
+    pub dragged: bool,
+    /// The advanced controls are unfolded.
+    pub advanced: bool,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]
+fn are_new(habits: &Habits) -> bool {
+    *habits == Habits::default()
+}
+
+impl Habits {
+    /// These habits after one more.
+    #[must_use]
+    pub fn and(mut self, habit: Habit) -> Self {
+        match habit {
+            Habit::Welcomed => self.welcomed = true,
+            Habit::Dragged => self.dragged = true,
+            Habit::Advanced(open) => self.advanced = open,
+        }
+        self
+    }
+}
+
+/// A change of the [`Habits`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Habit {
+    /// The welcome was used or closed.
+    Welcomed,
+    /// A dot was dragged or focused.
+    Dragged,
+    /// The advanced controls were unfolded or folded.
+    Advanced(bool),
 }
 
 impl Preferences {
     /// English and the dark theme, independent of the system: for screenshots and tests.
     pub fn fixed() -> Self {
-        Self { language: Some(Language::English), appearance: Appearance::Dark }
+        let habits = Habits { welcomed: true, ..Habits::default() };
+        Self { language: Some(Language::English), appearance: Appearance::Dark, habits }
     }
 
     /// The stored preferences; the defaults where none are stored or the stored text cannot be read.
@@ -65,7 +110,8 @@ impl Preferences {
     /// These preferences, overridden by the options of the page's URL.
     #[must_use]
     pub fn with(self, options: &AddressOptions) -> Self {
-        Self { language: options.language.or(self.language), appearance: options.theme.unwrap_or(self.appearance) }
+        let (language, appearance) = (options.language.or(self.language), options.theme.unwrap_or(self.appearance));
+        Self { language, appearance, ..self }
     }
 
     /// The chosen language, or the first supported one of the system.
@@ -89,10 +135,14 @@ mod tests {
 
     #[test]
     fn stored_preferences_are_read_back_and_missing_ones_are_the_defaults() {
-        let chosen = Preferences { language: Some(Language::German), appearance: Appearance::Dark };
+        let chosen =
+            Preferences { language: Some(Language::German), appearance: Appearance::Dark, ..Preferences::default() };
         let text = serde_json::to_string(&chosen).unwrap();
         assert_eq!(text, r#"{"language":"de","appearance":"dark"}"#);
         assert_eq!(serde_json::from_str::<Preferences>(&text).unwrap(), chosen);
         assert_eq!(serde_json::from_str::<Preferences>("{}").unwrap(), Preferences::default());
+        let habits = [Habit::Dragged, Habit::Advanced(true)].into_iter().fold(Habits::default(), Habits::and);
+        let text = serde_json::to_string(&Preferences { habits, ..chosen }).unwrap();
+        assert_eq!(serde_json::from_str::<Preferences>(&text).unwrap().habits, habits);
     }
 }

@@ -2,7 +2,7 @@
 //! times, and the tooltips that explain the field's terms.
 
 use crate::conformal::{MeshedSurface, PrepareTimings, PreparedSide, Side, Stage};
-use crate::language::{self, Label, key, say, tr};
+use crate::language::{self, Label, key, number, say, tr};
 use crate::mesh::FlipReport;
 use crate::model::shape::Shape;
 use crate::model::{Processor, names};
@@ -95,10 +95,12 @@ pub fn shape(shape: Shape<'_>) -> Cow<'_, str> {
     }
 }
 
-/// The sizes m and n of a side, and the time of its preparation.
-pub fn sizes(side: &PreparedSide) -> String {
-    let (m, n, ms) = (side.boundary_count(), side.interior_count(), side.timings().total());
-    say(&key::sizes(grouped(m), grouped(n), milliseconds(ms)))
+/// The sizes m and n of sides, and the times of their preparation.
+pub fn sizes<'a>(sides: impl IntoIterator<Item = &'a PreparedSide>) -> String {
+    let sides: Vec<_> = sides.into_iter().collect();
+    let all = |of: &dyn Fn(&PreparedSide) -> String| sides.iter().map(|side| of(side)).collect::<Vec<_>>().join(" | ");
+    let (m, n) = (all(&|side| grouped(side.boundary_count())), all(&|side| grouped(side.interior_count())));
+    say(&key::sizes(m, n, all(&|side| milliseconds(side.timings().total()))))
 }
 
 /// The title of a side: what stands there.
@@ -143,7 +145,7 @@ pub fn timings(timings: &PrepareTimings) -> String {
         (key::factor(), timings.factor),
         (key::stage_table(), timings.table),
     ];
-    rows.iter().map(|(name, ms)| format!("{}: {ms:.1} ms", tr(*name))).collect::<Vec<_>>().join("\n")
+    rows.iter().map(|(name, ms)| format!("{}: {}\u{a0}ms", tr(*name), number(*ms, 1))).collect::<Vec<_>>().join("\n")
 }
 
 /// The status while the full-resolution map is not available.
@@ -175,7 +177,7 @@ pub fn grouped(number: usize) -> String {
 
 /// A time in ms, with one decimal below 10 ms.
 pub fn milliseconds(ms: f64) -> String {
-    if ms < 9.95 { format!("{ms:.1}\u{2009}ms") } else { format!("{ms:.0}\u{2009}ms") }
+    format!("{}\u{202f}ms", number(ms, usize::from(ms < 9.95)))
 }
 
 #[cfg(test)]
@@ -213,7 +215,7 @@ mod tests {
 
     #[test]
     fn short_times_keep_a_digit_after_the_point() {
-        assert_eq!(milliseconds(0.64), "0.6\u{2009}ms");
-        assert_eq!(milliseconds(12.4), "12\u{2009}ms");
+        assert_eq!(milliseconds(0.64), "0.6\u{202f}ms");
+        assert_eq!(milliseconds(12.4), "12\u{202f}ms");
     }
 }

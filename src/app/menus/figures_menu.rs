@@ -2,15 +2,14 @@
 
 use crate::app::input::action::{Action, Actions, Report};
 use crate::app::theme::Palette;
-use crate::app::theme::text_metrics::{BELOW_BAR, menu_label, scroll_beyond};
-use crate::app::theme::widgets::chevron;
+use crate::app::theme::text_metrics::{BELOW_BAR, scroll_beyond};
+use crate::app::theme::widgets::drop_down;
 use crate::conformal::Side;
 use crate::figures::{Detail, Figure, Scene};
 use crate::language::{self, key, say, tr};
 use crate::model::shape::Shape;
 use crate::session::{Command, Session, SurfaceShape};
-use egui::containers::menu::MenuButton;
-use egui::{RichText, Role, Ui, WidgetInfo};
+use egui::{PopupCloseBehavior, RichText, Ui};
 use std::sync::LazyLock;
 
 /// Scenes per row: the four variants of Figure 8 fit into one row, the low resolution above the high one.
@@ -29,12 +28,10 @@ static FIGURES: LazyLock<Vec<(Figure, Vec<Scene>)>> =
 
 /// A button that opens the menu.
 pub fn menu_button(ui: &mut Ui, actions: &mut Actions) {
-    let (response, _) = MenuButton::from_button(egui::Button::new(menu_label(tr(key::figures())))).ui(ui, |ui| {
+    drop_down(ui, tr(key::figures()), PopupCloseBehavior::CloseOnClick, |ui| {
         ui.set_width(WIDTH.min(ui.ctx().content_rect().width() - MARGINS));
         list(ui, BELOW_BAR, actions);
     });
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr(key::figures())));
-    chevron(ui, response.rect, false);
 }
 
 /// Shows the figures and, below them, the tables' button; `besides` is the height in points of everything else on the

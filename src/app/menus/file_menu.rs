@@ -1,17 +1,16 @@
 //! The file menu: undo, redo, new, open, save, link, export, full screen, presentation; and its shortcuts.
 
-use crate::app::input::action::{Action, Actions, ExportAction};
+use crate::app::input::action::{Action, Actions, ExportAction, ShareAction};
 use crate::app::input::locks::menu_entry;
 use crate::app::input::presentation;
 use crate::app::theme::FINGER_HEIGHT;
-use crate::app::theme::text_metrics::{BELOW_BAR, menu_label, scroll_beyond};
-use crate::app::theme::widgets::chevron;
+use crate::app::theme::text_metrics::{BELOW_BAR, scroll_beyond};
+use crate::app::theme::widgets::drop_down;
 use crate::language::{Label, key, say, tr};
 use crate::model::persistence::Persistence;
 use crate::model::persistence::visits::Visits;
 use crate::platform;
-use egui::containers::menu::MenuButton;
-use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, Role, Ui, WidgetInfo};
+use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, PopupCloseBehavior, Ui};
 use web_time::SystemTime;
 
 const UNDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Z);
@@ -31,12 +30,10 @@ const EXPORT_TOOLTIP: Label = key::export_tooltip();
 
 /// A button that opens the menu.
 pub fn menu_button(ui: &mut Ui, persistence: &Persistence, actions: &mut Actions) {
-    let (response, _) = MenuButton::from_button(egui::Button::new(menu_label(tr(key::file())))).ui(ui, |ui| {
+    drop_down(ui, tr(key::file()), PopupCloseBehavior::CloseOnClick, |ui| {
         ui.set_width(190.0);
         scroll_beyond(ui, BELOW_BAR, |ui| content(ui, persistence, actions));
     });
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr(key::file())));
-    chevron(ui, response.rect, false);
 }
 
 fn content(ui: &mut Ui, persistence: &Persistence, actions: &mut Actions) {
@@ -97,7 +94,7 @@ fn entries(persistence: &Persistence, context: &Context) -> Vec<(Entry, bool, Ac
         (entry(key::new_session(), key::new_session_tooltip(), None), true, Action::New),
         (entry(key::open(), key::open_session_tooltip(), None), true, Action::OpenSession),
         (entry(key::save_session(), key::save_session_tooltip(), Some(SAVE)), true, Action::SaveSession),
-        (entry(key::copy_link(), LINK_TOOLTIP, None), true, Action::CopyLink),
+        (entry(key::share_link(), LINK_TOOLTIP, None), true, Action::Share(ShareAction::Open)),
         (entry(key::open_export(), EXPORT_TOOLTIP, Some(EXPORT)), true, Action::Export(ExportAction::Open)),
     ];
     if platform::has_full_screen() {

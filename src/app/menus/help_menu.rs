@@ -3,12 +3,11 @@
 use crate::app::input::action::{Action, Actions, ExploreAction};
 use crate::app::input::locks::{Control, guarded, menu_entry};
 use crate::app::input::preferences::{Appearance, Preferences};
-use crate::app::theme::text_metrics::{BELOW_BAR, menu_label, scroll_beyond};
-use crate::app::theme::widgets::{Segment, chevron, segmented};
+use crate::app::theme::text_metrics::{BELOW_BAR, scroll_beyond};
+use crate::app::theme::widgets::{Segment, drop_down, segmented};
 use crate::app::theme::{FINGER_HEIGHT, Palette};
 use crate::language::{Label, Language, key, tr};
-use egui::containers::menu::{MenuButton, MenuConfig};
-use egui::{PopupCloseBehavior, Role, Ui, WidgetInfo, vec2};
+use egui::{PopupCloseBehavior, Ui, vec2};
 
 const WIDTH: f32 = 230.0;
 
@@ -20,14 +19,10 @@ const APPEARANCES: [Segment<Appearance>; 3] = [
 
 /// A button that opens the menu.
 pub fn menu_button(ui: &mut Ui, preferences: Preferences, actions: &mut Actions) {
-    let button = egui::Button::new(menu_label(tr(key::help())));
-    let stays_open = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-    let (response, _) = MenuButton::from_button(button).config(stays_open).ui(ui, |ui| {
+    drop_down(ui, tr(key::help()), PopupCloseBehavior::CloseOnClickOutside, |ui| {
         ui.set_width(WIDTH);
         scroll_beyond(ui, BELOW_BAR, |ui| content(ui, preferences, actions));
     });
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr(key::help())));
-    chevron(ui, response.rect, false);
 }
 
 fn content(ui: &mut Ui, preferences: Preferences, actions: &mut Actions) {

@@ -5,9 +5,10 @@ use crate::app::language::words;
 use crate::app::language::words::grouped;
 use crate::app::plots::Plots;
 use crate::app::theme::Palette;
-use crate::app::theme::widgets::{Segment, captioned_slider, dash, group_heading, segmented};
+use crate::app::theme::explained::explained_heading;
+use crate::app::theme::widgets::{Segment, captioned_slider, dash, segmented};
 use crate::conformal::Side;
-use crate::language::{Label as Words, Message, key, say, tr};
+use crate::language::{Label as Words, Message, key, number, say, tr};
 use crate::model::Model;
 use crate::model::overlays::disk_comparison::{DiskComparison, Found};
 use crate::model::overlays::overlay::Origin;
@@ -79,13 +80,13 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
         comparisons(ui, model.session().comparison(), disk, actions);
     }
     if let Some(steps) = model.walks() {
-        group_heading(ui, tr(key::random_walks_heading()));
+        explained_heading(ui, tr(key::random_walks_heading()), key::explain_walks());
         walks(ui, steps, actions);
     }
 }
 
 fn comparisons(ui: &mut Ui, comparison: Comparison, disk: &DiskComparison, actions: &mut Actions) {
-    group_heading(ui, tr(key::through_disk()));
+    explained_heading(ui, tr(key::through_disk()), key::explain_through_disk());
     if let Some(chosen) = segmented(ui, &COMPARISONS, comparison) {
         actions.push(Action::Session(Command::SetComparison(chosen)));
     }
@@ -161,9 +162,9 @@ pub fn verdicts(found: &Found) -> Vec<String> {
 pub fn percent(part: f64) -> String {
     match 100.0 * part {
         p if p < 0.01 => String::from(tr(key::under_a_hundredth_percent())),
-        p if p < 1.0 => format!("{p:.2} %"),
-        p if p < 10.0 => format!("{p:.1} %"),
-        p => format!("{p:.0} %"),
+        p if p < 1.0 => format!("{}\u{a0}%", number(p, 2)),
+        p if p < 10.0 => format!("{}\u{a0}%", number(p, 1)),
+        p => format!("{}\u{a0}%", number(p, 0)),
     }
 }
 

@@ -1,12 +1,15 @@
-//! The overlay of a viewport: title, sizes, buttons and messages at the upper edge, legend of dots at the lower one.
+//! The overlay of a viewport: title, buttons and messages at the upper edge, legend of dots at the lower one.
 
 use crate::app::input::action::{Action, Actions, EditAction};
-use crate::app::input::locks::{Control, Locks, REFUSAL, guarded, menu_entry};
+use crate::app::input::handles::{Handle, HandleKind};
+use crate::app::input::locks::{Control, Locks, REFUSAL, guarded};
 use crate::app::language::words;
 use crate::app::panels::shapes;
-use crate::app::theme::text_metrics::{button_width, menu_label, text_width};
-use crate::app::theme::widgets::{MessageAnswer, message_box};
+use crate::app::theme::explained::explain;
+use crate::app::theme::text_metrics::{button_width, text_width};
+use crate::app::theme::widgets::{MessageAnswer, drop_down_width, message_box};
 use crate::app::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette, widgets};
+use crate::app::viewport::dots;
 use crate::app::viewport::view::View;
 use crate::app::{overlays, theme};
 use crate::conformal::Side;
@@ -14,7 +17,9 @@ use crate::language::{Label as Words, Message, key, say, tr};
 use crate::model::Model;
 use crate::model::side::user_error::QuickFix;
 use crate::session::Command;
-use egui::{Align, Color32, CornerRadius, Label, Layout, Rect, RichText, ScrollArea, Shape, Ui, UiBuilder, vec2};
+use egui::{
+    Align, Color32, CornerRadius, Label, Layout, Rect, RichText, ScrollArea, Sense, Shape, Ui, UiBuilder, vec2,
+};
 
 /// The tooltip of the button that hides and shows the panels.
 pub const PANELS_TOOLTIP: Words = key::panels_tooltip();
@@ -33,13 +38,13 @@ pub struct Surroundings {
 
 /// Whether all buttons fit beside the title of a viewport of this width; the same for both sides.
 pub fn has_room(ui: &Ui, width: f32) -> bool {
-    let buttons: f32 =
-        [key::fit(), key::edit(), key::open(), key::swap()].map(|label| button_width(ui, tr(label))).iter().sum();
-    width >= TITLE_WIDTH + buttons + button_width(ui, &menu_label(tr(key::shapes())))
+    let buttons: f32 = [key::fit(), key::edit(), key::swap()].map(|label| button_width(ui, tr(label))).iter().sum();
+    width >= TITLE_WIDTH + buttons + drop_down_width(ui, tr(key::shapes()))
 }
 
-/// The height of the title and the line below it, in points; the buttons are beside them.
-const TITLE_HEIGHT: f32 = 36.0;
+/// The height of the row of title and buttons, and of the title in its middle, in points; notes are below.
+const TITLE_HEIGHT: f32 = 28.0;
+const TITLE_LINE: f32 = 18.0;
 
 /// The least width of the title beside all buttons, and beside the buttons of a narrow picture.
 const TITLE_WIDTH: f32 = 190.0;
@@ -70,6 +75,7 @@ pub fn show(
             }
             ui.with_layout(Layout::top_down(Align::Min), |ui| {
                 ui.spacing_mut().item_spacing.y = 1.0;
+                ui.add_space(0.5 * (line.y - TITLE_LINE));
                 over_the_mesh(ui, |ui| title(ui, side, model));
             });
         });
@@ -78,20 +84,19 @@ pub fn show(
 }
 
 fn title(ui: &mut Ui, side: Side, model: &Model) {
-    let line = |ui: &mut Ui, text: &str, explained: &str| {
-        let weak = Palette::of(ui.visuals()).weak;
-        ui.add(Label::new(RichText::new(text).small().color(weak)).truncate()).on_hover_text(explained);
-    };
     let palette = Palette::of(ui.visuals());
     let shape = model.shape(side);
-    let name = words::title(side, shape);
-    ui.add(Label::new(RichText::new(name).font(theme::bold(14.0)).color(palette.text)).truncate());
+    let whole = words::title(side, shape);
+    let fits = text_width(ui, &whole, theme::bold(14.0)) <= ui.available_width();
+    let name = if fits { whole } else { words::shape(shape).into_owned() };
+    let title = ui.add(Label::new(RichText::new(name).font(theme::bold(14.0)).color(palette.text)).truncate());
     let Some(prepared) = model.prepared(side) else { return };
-    line(ui, &words::sizes(prepared), &words::details(prepared));
+    title.on_hover_text(format!("{}\n\n{}", words::sizes([&**prepared]), words::details(prepared)));
     let cautions = words::cautions(prepared, shape).map(Message::from);
     for note in model.notes_on_shape(side).into_iter().chain(cautions) {
         let note = say(&note);
-        line(ui, &note, &note);
+        let line = Label::new(RichText::new(&note).small().color(palette.weak)).truncate().sense(Sense::click());
+        explain(&ui.add(line), &note);
     }
 }
 
@@ -153,10 +158,6 @@ fn outline_buttons(ui: &mut Ui, side: Side, model: &Model, around: Surroundings,
         }
     }
     if around.has_room {
-        let open = Action::OpenOutline(side);
-        if menu_entry(ui, true, egui::Button::new(tr(key::open())), key::open_shape_tooltip(), &open) {
-            actions.push(open);
-        }
         shapes::menu_button(ui, tr(key::shapes()), side, model, actions);
     }
 }
@@ -201,9 +202,14 @@ pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View, beside: f32) 
         Side::Source => (key::interior_point_x1(), key::boundary_point_y1()),
         Side::Target => (key::x2_f_x1(), key::y2_f_y1()),
     };
-    let dots = [(INTERIOR_COLOUR, tr(interior)), (BOUNDARY_COLOUR, tr(boundary))];
+    let explained = |kind| Some(dots::explanation(Handle { side, kind }));
+    let dots = [
+        (INTERIOR_COLOUR, tr(interior), explained(HandleKind::Interior)),
+        (BOUNDARY_COLOUR, tr(boundary), explained(HandleKind::Boundary)),
+    ];
     let dashes = overlays::paint::legend(side, model, ui.visuals().dark_mode);
-    let all: f32 = dots.iter().chain(&dashes).map(|(_, text)| entry_width(ui, text)).sum();
+    let dashes: Vec<Entry> = dashes.into_iter().map(|(colour, text)| (colour, text, None)).collect();
+    let all: f32 = dots.iter().chain(&dashes).map(|(_, text, _)| entry_width(ui, text)).sum();
     let two_rows = !dashes.is_empty() && all > place.width() - beside;
     ui.scope_builder(UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center)), |ui| {
         over_the_mesh(ui, |ui| {
@@ -232,11 +238,18 @@ fn entry_width(ui: &Ui, text: &str) -> f32 {
         + 2.0 * ui.spacing().item_spacing.x
 }
 
-fn entries(ui: &mut Ui, entries: &[(Color32, &str)], sign: impl Fn(&mut Ui, Color32)) {
+/// The color and the words of a legend's entry, and its explanation.
+type Entry = (Color32, &'static str, Option<Words>);
+
+fn entries(ui: &mut Ui, entries: &[Entry], sign: impl Fn(&mut Ui, Color32)) {
     let weak = Palette::of(ui.visuals()).weak;
-    for (colour, text) in entries {
+    for (colour, text, explanation) in entries {
         sign(ui, *colour);
-        ui.label(RichText::new(*text).small().color(weak));
+        let label = Label::new(RichText::new(*text).small().color(weak));
+        match explanation {
+            Some(words) => explain(&ui.add(label.sense(Sense::click())), tr(*words)),
+            None => drop(ui.add(label)),
+        }
         ui.add_space(ENTRY_GAP);
     }
 }

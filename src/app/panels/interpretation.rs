@@ -3,9 +3,10 @@
 use crate::app::input::action::{Action, Actions};
 use crate::app::language::words;
 use crate::app::theme::Palette;
-use crate::app::theme::widgets::{Segment, group_heading, segmented};
+use crate::app::theme::explained::explained_heading;
+use crate::app::theme::widgets::{Segment, segmented};
 use crate::conformal::Side;
-use crate::language::{key, say, tr};
+use crate::language::{key, number, say, tr};
 use crate::model::Model;
 use crate::outline::Interpretation;
 use egui::{CollapsingHeader, RichText, Ui};
@@ -23,7 +24,7 @@ const INTERPRETATIONS: [Segment<Interpretation>; 3] = [
 /// Shows the group of a side; nothing for outlines that are not given by points or a path.
 pub fn show(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     let Some(interpreting) = model.interpretation(side) else { return };
-    group_heading(ui, &say(&key::outline_of(words::side(side))));
+    explained_heading(ui, &say(&key::outline_of(words::side(side))), key::explain_interpretation());
     if let Some(interpretation) = segmented(ui, &INTERPRETATIONS, interpreting.asked) {
         actions.extend(model.interpret(side, interpretation).map(Action::Session));
     }
@@ -44,10 +45,10 @@ fn corners(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
         return;
     }
     let list = |ui: &mut Ui| {
-        for (number, (corner, place)) in model.corners(side).enumerate() {
+        for (index, (corner, place)) in model.corners(side).enumerate() {
             let mut is_corner = corner.is_corner;
-            let [x, y] = place.to_array().map(|value| format!("{value:.3}"));
-            let label = ui.checkbox(&mut is_corner, say(&key::corner_at(number + 1, x, y)));
+            let [x, y] = place.to_array().map(|value| number(value, 3));
+            let label = ui.checkbox(&mut is_corner, say(&key::corner_at(index + 1, x, y)));
             if label.on_hover_text(tr(key::corner_tooltip())).changed() {
                 actions.extend(model.switch_corner(side, corner.vertex).map(Action::Session));
             }

@@ -5,14 +5,14 @@
 use crate::app::input::action::{Action, Actions};
 use crate::app::language::words;
 use crate::app::theme::Palette;
-use crate::app::theme::widgets::group_heading;
+use crate::app::theme::explained::explained_heading;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
-use crate::language::{Label, key, number, say, tr};
+use crate::language::{Label, decimal, key, number, say, tr};
 use crate::model::Model;
 use crate::model::overlays::invariants::{InvariantsAction, SideInvariants};
 use crate::worker::{FoundInvariants, Number};
-use egui::{DragValue, Grid, RichText, Ui, Vec2, WidgetInfo};
+use egui::{DragValue, Grid, RichText, Ui, WidgetInfo};
 
 /// Measures beyond this number of arcs are not listed.
 const MOST_ARCS: usize = 12;
@@ -25,51 +25,21 @@ const MARK_SPEED: f64 = 0.002;
 pub fn show(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     let asked = model.overlay_state().invariants.of(side);
     let heading = say(&key::invariants_of(words::side(side)));
-    group_heading(ui, &heading);
+    explained_heading(ui, &heading, key::invariants_explained());
     let mut wanted = Vec::new();
-    ui.horizontal(|ui| {
-        let mut is_open = asked.is_open;
-        let compute = ui.checkbox(&mut is_open, tr(key::compute_invariants()));
-        // both sides have such a box
-        compute.widget_info(|| WidgetInfo::selected(egui::Role::CheckBox, true, is_open, &heading));
-        if compute.changed() {
-            wanted.push(InvariantsAction::Open(side, is_open));
-        }
-        explain(ui);
-    });
-    explanation(ui);
+    let mut is_open = asked.is_open;
+    let compute = ui.checkbox(&mut is_open, tr(key::compute_invariants()));
+    // both sides have such a box
+    compute.widget_info(|| WidgetInfo::selected(egui::Role::CheckBox, true, is_open, &heading));
+    if compute.changed() {
+        wanted.push(InvariantsAction::Open(side, is_open));
+    }
     if asked.is_open {
         marks(ui, side, asked, &mut wanted);
         second_point(ui, side, asked, model, &mut wanted);
         result(ui, side, model);
     }
     actions.extend(wanted.into_iter().map(Action::Invariants));
-}
-
-/// Whether the explanation is shown, for both sides.
-fn explained() -> egui::Id {
-    egui::Id::unique("invariants explained")
-}
-
-/// The button "?", which shows the explanation below, for fingers too.
-fn explain(ui: &mut Ui) {
-    let size = Vec2::splat(ui.spacing().interact_size.y);
-    let button = ui.add(egui::Button::new("?").min_size(size)).on_hover_text(tr(key::invariants_explained()));
-    button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, tr(key::what_invariants_are())));
-    if button.clicked() {
-        ui.data_mut(|data| {
-            let shown = data.get_temp_mut_or_default::<bool>(explained());
-            *shown = !*shown;
-        });
-    }
-}
-
-fn explanation(ui: &mut Ui) {
-    let is_shown = ui.data(|data| data.get_temp::<bool>(explained())).unwrap_or(false);
-    if is_shown {
-        let weak = Palette::of(ui.visuals()).weak;
-        ui.label(RichText::new(tr(key::invariants_explained())).small().color(weak));
-    }
 }
 
 fn marks(ui: &mut Ui, side: Side, asked: &SideInvariants, wanted: &mut Vec<InvariantsAction>) {
@@ -167,7 +137,7 @@ pub fn shown(Number { value, error }: Number) -> String {
     let places = if error > 0.0 { (-error.log10()).ceil() } else { f64::INFINITY };
     let value = if value != 0.0 && value.abs() < SMALL {
         let digits = (places + value.abs().log10()).clamp(0.0, MOST_DECIMALS) as usize;
-        format!("{value:.digits$e}")
+        decimal(&format!("{value:.digits$e}"))
     } else {
         number(value, places.clamp(0.0, MOST_DECIMALS) as usize)
     };

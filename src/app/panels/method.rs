@@ -5,7 +5,8 @@
 use crate::app::input::action::{Action, Actions};
 use crate::app::language::words;
 use crate::app::theme::Palette;
-use crate::app::theme::widgets::{Segment, group_heading, segmented, segmented_where};
+use crate::app::theme::explained::explained_heading;
+use crate::app::theme::widgets::{Segment, segmented, segmented_where};
 use crate::conformal::{ConformalMap, Extension, KernelMode, Side};
 use crate::language::{Message, key, say, tr};
 use crate::laplace::SolverKind;
@@ -30,9 +31,9 @@ const SOLVERS: [Segment<SolverKind>; 2] = [
     Segment { value: SolverKind::Pcg, label: key::pcg(), tooltip: key::pcg_tooltip() },
 ];
 
-/// Shows the group.
+/// Shows the three groups.
 pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
-    group_heading(ui, tr(key::method()));
+    explained_heading(ui, tr(key::extension()), key::explain_extension());
     let refused = |extension| Some(String::from(tr(model.refused_extension(extension)?.label())));
     if let Some(extension) = segmented_where(ui, &EXTENSIONS, model.extension(), refused) {
         actions.push(Action::Session(Command::SetExtension(extension)));
@@ -44,11 +45,13 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
         ui.label(RichText::new(text).small().color(palette.weak));
     }
     let old = model.method();
+    explained_heading(ui, tr(key::kernel_heading()), key::explain_kernel());
     let refused = |kernel| Some(say(&Message::from(&model.refused_kernel(kernel)?)));
     if let Some(kernel) = segmented_where(ui, &KERNELS, old.kernel, refused) {
         actions.extend(model.set_method(|method| Method { kernel, ..method }).into_iter().map(Action::Session));
     }
     kernels_in_use(ui, model, old.kernel);
+    explained_heading(ui, tr(key::solver()), key::explain_solver());
     if let Some(solver) = segmented(ui, &SOLVERS, old.solver) {
         actions.extend(model.set_method(|method| Method { solver, ..method }).into_iter().map(Action::Session));
     }

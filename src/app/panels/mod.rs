@@ -2,11 +2,14 @@
 //!
 //! | content | file |
 //! |---|---|
-//! | the column of controls | `side_panel`, `method`, `surface_panel`, `play_panel`, `interpretation`, `invariants_panel` |
+//! | the column of controls | `side_panel`, `surface_panel`, `play_panel` |
+//! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `invariants_panel` |
+//! | the welcome of the first visit | `welcome` |
 //! | title, buttons, messages and legend of a picture | `header` |
 //! | the menu of outlines and surfaces | `shapes` |
 //! | the offer to trace a picture | `offer` |
 
+mod advanced;
 pub mod header;
 mod interpretation;
 pub mod invariants_panel;
@@ -16,3 +19,4 @@ pub mod play_panel;
 pub mod shapes;
 pub mod side_panel;
 pub mod surface_panel;
+pub mod welcome;

@@ -1,7 +1,8 @@
 //! The controls of the motion of the points: path, speed, start and stop.
 
 use crate::app::input::action::{Action, Actions};
-use crate::app::theme::widgets::{Segment, captioned_slider, group_heading, segmented_where};
+use crate::app::theme::explained::group_heading;
+use crate::app::theme::widgets::{Segment, captioned_slider, segmented_where};
 use crate::family::Path;
 use crate::language::{Label, key, say, tr};
 use crate::model::Model;
@@ -21,7 +22,7 @@ const PLAY_TOOLTIP: Label = key::play_tooltip();
 
 /// The group "Motion".
 pub fn show(ui: &mut Ui, model: &Model, player: &Player, actions: &mut Actions) {
-    group_heading(ui, tr(key::motion()));
+    group_heading(ui, tr(key::play()));
     let refused = |path| model.abilities().refused_path(path).map(|reason| String::from(tr(reason.label())));
     if let Some(path) = segmented_where(ui, &PATHS, player.path(), refused) {
         actions.push(Action::Play(PlayAction::Along(path)));

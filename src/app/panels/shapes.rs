@@ -3,8 +3,8 @@
 use crate::app::input::action::{Action, Actions, EditAction};
 use crate::app::input::locks::{guarded_by, menu_entry};
 use crate::app::language::words;
-use crate::app::theme::text_metrics::{menu_label, scroll_beyond};
-use crate::app::theme::widgets::chevron;
+use crate::app::theme::text_metrics::scroll_beyond;
+use crate::app::theme::widgets::drop_down;
 use crate::app::theme::{PHONE_WIDTH, Palette, ROUNDING};
 use crate::app::viewport::surface::surface_picture;
 use crate::conformal::Side;
@@ -15,10 +15,9 @@ use crate::model::{Model, bounds};
 use crate::outline::Preset;
 use crate::session::Touched;
 use crate::surface::SurfacePreset;
-use egui::containers::menu::MenuButton;
 use egui::{
-    Align2, Color32, CornerRadius, Id, Pos2, Rect, Response, RichText, Role, Sense, Shape, Stroke, TextStyle, Ui,
-    WidgetInfo, vec2,
+    Align2, Color32, CornerRadius, Id, PopupCloseBehavior, Pos2, Rect, Response, RichText, Role, Sense, Shape, Stroke,
+    TextStyle, Ui, WidgetInfo, vec2,
 };
 use std::sync::Arc;
 
@@ -31,10 +30,7 @@ const PICTURE_POINTS: usize = 360;
 
 /// A button that opens the menu of a side's shapes.
 pub fn menu_button(ui: &mut Ui, label: &str, side: Side, model: &Model, actions: &mut Actions) {
-    let button = egui::Button::new(menu_label(label));
-    let (response, _) = MenuButton::from_button(button).ui(ui, |ui| menu(ui, side, model, actions));
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));
-    chevron(ui, response.rect, false);
+    drop_down(ui, label, PopupCloseBehavior::CloseOnClick, |ui| menu(ui, side, model, actions));
 }
 
 fn name(shape: PresetShape) -> &'static str {

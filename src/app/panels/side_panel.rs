@@ -1,29 +1,21 @@
-//! The column of controls: direction, coloring, texture, motion, method, overlays, resolution and invariants of both
-//! sides.
+//! The column of controls: surface, pattern, coloring, play, plots; below them, folded, whatever names a method.
 //!
 //! The controls show the *requested* settings, not those of the map on the screen; a click becomes an [`Action`].
 
 use super::surface_panel;
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::{Control, guarded, guarded_by};
-use crate::app::language::words;
 use crate::app::overlays;
-use crate::app::panels::{interpretation, invariants_panel, method, play_panel};
+use crate::app::panels::{advanced, play_panel};
 use crate::app::theme::Palette;
-use crate::app::theme::widgets::{Segment, captioned_slider, group_heading, segmented};
-use crate::conformal::{Direction, PrepareSettings, Side};
-use crate::language::{key, say, tr};
-use crate::mesh::Sizing;
+use crate::app::theme::explained::{explained_heading, group_heading};
+use crate::app::theme::widgets::{Segment, captioned_slider, segmented};
+use crate::conformal::Side;
+use crate::language::{key, tr};
 use crate::model::Model;
 use crate::model::motion::Player;
-use crate::outline::Sampling;
-use crate::session::{CELLS, Colouring, Command, GROWTH, SAMPLES, TextureKind, Touched};
+use crate::session::{CELLS, Colouring, Command, TextureKind, Touched};
 use egui::{RichText, Ui};
-
-const DIRECTIONS: [Segment<Direction>; 2] = [
-    Segment { value: Direction::Forward, label: key::forward(), tooltip: key::forward_tooltip() },
-    Segment { value: Direction::Backward, label: key::backward(), tooltip: key::backward_tooltip() },
-];
 
 const COLOURINGS: [Segment<Colouring>; 3] = [
     Segment { value: Colouring::Texture, label: key::texture(), tooltip: key::texture_tooltip() },
@@ -38,39 +30,42 @@ const TEXTURES: [Segment<TextureKind>; 4] = [
     Segment { value: TextureKind::Image, label: key::image(), tooltip: key::image_tooltip() },
 ];
 
+/// What the column needs to know besides the model.
+#[derive(Debug, Clone, Copy)]
+pub struct Column<'a> {
+    /// The file name of the texture's image.
+    pub image_name: Option<&'a str>,
+    /// Whether the advanced controls are unfolded.
+    pub advanced: bool,
+    /// Whether the plots have a place of their own beside the column: a tab of a phone's sheet.
+    pub in_sheet: bool,
+}
+
 /// Shows all groups.
-pub fn show(ui: &mut Ui, model: &Model, player: &Player, image_name: Option<&str>, actions: &mut Actions) {
-    if model.abilities().chooses_direction() {
-        group_heading(ui, tr(key::map()));
-        let direction = guarded(ui, Control::Method, |ui| segmented(ui, &DIRECTIONS, model.session().direction()));
-        actions.extend(direction.map(|direction| Action::Session(Command::SetDirection(direction))));
-    }
+pub fn show(ui: &mut Ui, model: &Model, player: &Player, column: Column<'_>, actions: &mut Actions) {
     for side in Side::BOTH {
         ui.push_id(("surface", side), |ui| surface_panel::show(ui, side, model, actions));
     }
+    guarded(ui, Control::Pattern, |ui| texture(ui, model, column.image_name, actions));
     guarded(ui, Control::Colours, |ui| shown(ui, model, actions));
-    guarded(ui, Control::Pattern, |ui| texture(ui, model, image_name, actions));
     guarded_by(ui, Touched::POINTS, |ui| play_panel::show(ui, model, player, actions));
-    guarded(ui, Control::Method, |ui| method::show(ui, model, actions));
-    guarded(ui, Control::Comparison, |ui| overlays::panel::show(ui, model, actions));
-    for side in Side::BOTH {
-        if let Some(settings) = model.outline_settings(side) {
-            ui.push_id(side, |ui| {
-                guarded(ui, Control::Outline, |ui| interpretation::show(ui, side, model, actions));
-                guarded(ui, Control::Method, |ui| resolution(ui, side, settings, model, actions));
-            });
-        }
+    if !column.in_sheet {
+        guarded(ui, Control::Plots, |ui| plots(ui, model, actions));
     }
-    for side in Side::BOTH.into_iter().filter(|side| model.abilities().has_outline(*side)) {
-        ui.push_id(("invariants", side), |ui| {
-            guarded(ui, Control::Comparison, |ui| invariants_panel::show(ui, side, model, actions));
-        });
+    advanced::show(ui, model, column.advanced, actions);
+}
+
+fn plots(ui: &mut Ui, model: &Model, actions: &mut Actions) {
+    explained_heading(ui, tr(key::plots()), key::explain_plots());
+    let mut open = model.session().plots();
+    if ui.checkbox(&mut open, tr(key::show())).on_hover_text(tr(key::plots_tooltip())).changed() {
+        actions.push(Action::Session(Command::SetPlots(open)));
     }
 }
 
 fn shown(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     let session = model.session();
-    group_heading(ui, tr(key::show()));
+    group_heading(ui, tr(key::coloring()));
     if let Some(colouring) = segmented(ui, &COLOURINGS, session.colouring()) {
         actions.push(Action::Session(Command::SetColouring(colouring)));
     }
@@ -83,7 +78,7 @@ fn shown(ui: &mut Ui, model: &Model, actions: &mut Actions) {
 
 fn texture(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut Actions) {
     let session = model.session();
-    group_heading(ui, tr(key::texture()));
+    group_heading(ui, tr(key::pattern()));
     match segmented(ui, &TEXTURES, overlays::panel::family(session.texture())) {
         // Without an image there is no texture to show: open the dialog first.
         Some(TextureKind::Image) if image_name.is_none() => actions.push(Action::OpenImage),
@@ -105,79 +100,4 @@ fn texture(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut A
         }
     }
     overlays::panel::pattern(ui, model, actions);
-}
-
-fn resolution(ui: &mut Ui, side: Side, old: PrepareSettings, model: &Model, actions: &mut Actions) {
-    let there = model.domain(side).map_or(500, |domain| domain.samples().len());
-    group_heading(ui, &say(&key::resolution_of(words::side(side))));
-    let sampling = sampling(ui, old.sampling, there);
-    let sizing = sizing(ui, old.sizing);
-    let settings = PrepareSettings { sampling, sizing, ..old };
-    if settings != old {
-        actions.push(Action::Session(Command::SetSettings { side, settings }));
-    }
-}
-
-fn sampling(ui: &mut Ui, old: Sampling, there: usize) -> Sampling {
-    let (uniform, asked) = match old {
-        Sampling::Uniform { count, .. } => (true, Some(count)),
-        Sampling::Adaptive { target } => (false, target),
-    };
-    let mut new = old;
-    let kinds = [
-        Segment { value: false, label: key::adaptive(), tooltip: key::adaptive_tooltip() },
-        Segment { value: true, label: key::uniform_paper(), tooltip: key::uniform_paper_tooltip() },
-    ];
-    let count = asked.unwrap_or(there as u32).clamp(*SAMPLES.start(), *SAMPLES.end());
-    if let Some(to_uniform) = segmented(ui, &kinds, uniform) {
-        new = if to_uniform {
-            Sampling::Uniform { count, keep_corners: true }
-        } else {
-            Sampling::Adaptive { target: Some(count) }
-        };
-    }
-    let range = f64::from(*SAMPLES.start())..=f64::from(*SAMPLES.end());
-    let shown = if asked.is_some() { count.to_string() } else { say(&key::automatic(there)) };
-    let moved =
-        captioned_slider(ui, tr(key::samples()), &shown, f64::from(count), range, true).map(|m| m.round() as u32);
-    match (&mut new, moved) {
-        (Sampling::Uniform { count, .. }, Some(m)) => *count = m,
-        (Sampling::Adaptive { target }, Some(m)) => *target = Some(m),
-        _ => {}
-    }
-    match &mut new {
-        Sampling::Uniform { keep_corners, .. } => {
-            ui.checkbox(keep_corners, tr(key::keep_corners())).on_hover_text(tr(key::keep_corners_tooltip()));
-        }
-        Sampling::Adaptive { target } => {
-            let mut automatic = target.is_none();
-            let label = ui.checkbox(&mut automatic, tr(key::as_many_as_needed()));
-            if label.on_hover_text(tr(key::adaptive_samples_tooltip())).changed() {
-                *target = (!automatic).then_some(count);
-            }
-        }
-    }
-    new
-}
-
-fn sizing(ui: &mut Ui, old: Sizing) -> Sizing {
-    let grade = match old {
-        Sizing::Graded(grade) => Some(grade),
-        Sizing::Uniform => None,
-    };
-    let kinds = [
-        Segment { value: true, label: key::graded(), tooltip: key::graded_tooltip() },
-        Segment { value: false, label: key::uniform_mesh(), tooltip: key::uniform_mesh_tooltip() },
-    ];
-    let mut new = old;
-    if let Some(graded) = segmented(ui, &kinds, grade.is_some()) {
-        new = if graded { Sizing::default() } else { Sizing::Uniform };
-    }
-    if let Sizing::Graded(grade) = new {
-        let shown = say(&key::per_distance(format!("{grade:.2}")));
-        if let Some(moved) = captioned_slider(ui, tr(key::growth()), &shown, grade, GROWTH, false) {
-            new = Sizing::Graded((100.0 * moved).round() / 100.0);
-        }
-    }
-    new
 }

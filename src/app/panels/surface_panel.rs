@@ -5,7 +5,8 @@ use crate::app::input::locks::{Control, guarded, menu_entry};
 use crate::app::language::words;
 use crate::app::language::words::grouped;
 use crate::app::theme::Palette;
-use crate::app::theme::widgets::{captioned_slider, group_heading};
+use crate::app::theme::explained::{explained_heading, group_heading};
+use crate::app::theme::widgets::captioned_slider;
 use crate::conformal::Side;
 use crate::language::{Label as Words, key, say, tr};
 use crate::model::Model;
@@ -22,13 +23,14 @@ const DELAUNAY_TOOLTIP: Words = key::delaunay_tooltip();
 
 /// Shows the group of a side's surface; nothing while the side is planar.
 pub fn show(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
-    let Some(spec) = model.surface_settings(side) else { return };
+    if model.surface_settings(side).is_none() {
+        return;
+    }
     group_heading(ui, &heading(side, model));
     if let Some(explained) = model.abilities().direction_of_surface(side) {
         let weak = Palette::of(ui.visuals()).weak;
         ui.add(Label::new(RichText::new(tr(explained)).small().color(weak)).wrap()).on_hover_text(tr(MAP_TOOLTIP));
     }
-    guarded(ui, Control::Method, |ui| discretisation(ui, side, spec, actions));
     let back = Action::Session(Command::CloseSurface(side));
     if menu_entry(ui, true, Button::new(tr(key::back_plane())), key::back_plane_tooltip(), &back) {
         actions.push(back);
@@ -41,7 +43,14 @@ fn heading(side: Side, model: &Model) -> String {
     if model.abilities().maps_through_disk() { format!("{name} · {}", words::side(side)) } else { name.into() }
 }
 
-fn discretisation(ui: &mut Ui, side: Side, spec: &SurfaceSpec, actions: &mut Actions) {
+/// Shows the group of a surface's discretization; nothing while the side is planar.
+pub fn discretization(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
+    let Some(spec) = model.surface_settings(side) else { return };
+    explained_heading(ui, &heading(side, model), key::explain_surface());
+    guarded(ui, Control::Method, |ui| triangles(ui, side, spec, actions));
+}
+
+fn triangles(ui: &mut Ui, side: Side, spec: &SurfaceSpec, actions: &mut Actions) {
     let mut wanted = spec.clone();
     if let SurfaceShape::Preset { boundary, .. } = &mut wanted.shape {
         let shown = say(&key::along_boundary(grouped(*boundary as usize)));

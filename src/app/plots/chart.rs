@@ -5,7 +5,7 @@ use super::{PlotKind, Plots};
 use crate::app::language::words;
 use crate::conformal::{PerSide, Side};
 use crate::geometry::sort_by_number;
-use crate::language::{key, say, tr};
+use crate::language::{decimal, key, number, say, tr};
 use crate::model::curves::{Curve, Curves, ExactCurves, decimate};
 use crate::model::overlays::overlay::{Overlay, Overlays};
 use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Shape, Stroke, Ui, vec2};
@@ -126,7 +126,11 @@ impl<'a> Chart<'a> {
             .grid_fade(0.5)
             .x_grid_spacer(|_| fifths())
             .y_grid_spacer(move |input| if logarithmic { decades(&input) } else { even_steps(&input) })
-            .custom_x_axes(vec![axis(AxisHints::new_x(), &palette, self.x_label()).label_spacing(30.0..=44.0)])
+            .custom_x_axes(vec![
+                axis(AxisHints::new_x(), &palette, self.x_label())
+                    .label_spacing(30.0..=44.0)
+                    .formatter(|mark, _| of_step(mark)),
+            ])
             .custom_y_axes(vec![self.y_axis(&palette)]);
         let response = plot.show(ui, |plot| {
             let (low, high) = self.range;
@@ -157,7 +161,7 @@ impl<'a> Chart<'a> {
         };
         let axis = axis(AxisHints::new_y(), palette, label).label_spacing(14.0..=20.0).min_thickness(30.0);
         let logarithmic = self.logarithmic;
-        axis.formatter(move |mark, _| if logarithmic { power_of_ten(mark.value) } else { decimal(mark) })
+        axis.formatter(move |mark, _| if logarithmic { power_of_ten(mark.value) } else { of_step(mark) })
     }
 
     /// The position of a curve's value on the y axis.
@@ -262,8 +266,8 @@ pub fn values(kind: PlotKind, curves: &Curves, at: PerSide<f64>) -> PerSide<Stri
         let x = at[side];
         match kind {
             PlotKind::Kernel => short(curves.kernel[side].at(x)),
-            PlotKind::Measure => format!("{:.3}", curves.measure[side].at(x)),
-            PlotKind::Reparameterisation => format!("{x:.3}"),
+            PlotKind::Measure => number(curves.measure[side].at(x), 3),
+            PlotKind::Reparameterisation => number(x, 3),
         }
     })
 }
@@ -274,7 +278,7 @@ fn in_inks(curves: &PerSide<Curve>, theme: usize) -> Vec<(&Curve, Color32)> {
 }
 
 fn short(value: f64) -> String {
-    if value == 0.0 || (0.01..1e4).contains(&value) { format!("{value:.2}") } else { format!("{value:.1e}") }
+    if value == 0.0 || (0.01..1e4).contains(&value) { number(value, 2) } else { decimal(&format!("{value:.1e}")) }
 }
 
 fn add_dot(plot: &mut PlotUi, at: [f64; 2], ink: Color32) {
@@ -347,9 +351,9 @@ fn marks(low: f64, high: f64, step_size: f64) -> Vec<GridMark> {
 }
 
 /// The mark's value with as many decimals as its step has.
-fn decimal(mark: GridMark) -> String {
+fn of_step(mark: GridMark) -> String {
     let digits = (-mark.step_size.log10().floor()).max(0.0) as usize;
-    format!("{:.digits$}", mark.value)
+    number(mark.value, digits)
 }
 
 /// A power of ten with its exponent raised, such as "10⁻³"; the exponent is rounded.
@@ -424,8 +428,8 @@ mod tests {
         let values = |marks: Vec<GridMark>| marks.iter().map(|mark| mark.value).collect::<Vec<_>>();
         assert_eq!(values(even_steps(&input(-0.1, 3.9))), [0.0, 1.0, 2.0, 3.0]);
         assert_eq!(values(decades(&input(-14.2, 2.1))), [-12.0, -9.0, -6.0, -3.0, 0.0]);
-        assert_eq!(decimal(GridMark { value: 0.4, step_size: 0.2 }), "0.4");
-        assert_eq!(decimal(GridMark { value: 40.0, step_size: 20.0 }), "40");
+        assert_eq!(of_step(GridMark { value: 0.4, step_size: 0.2 }), "0.4");
+        assert_eq!(of_step(GridMark { value: 40.0, step_size: 20.0 }), "40");
         assert_eq!((power_of_ten(-12.0), power_of_ten(3.0)), (String::from("10⁻¹²"), String::from("10³")));
     }
 }

@@ -4,7 +4,7 @@ use super::super::theme::Palette;
 use super::chart::power_of_ten;
 use super::legend::{Entry, RADIUS, WIDTH, error_axis, with_legend};
 use crate::figures::{ConvergenceRow, Method, SecondMap, fitted_order};
-use crate::language::{self, key, say, tr};
+use crate::language::{self, key, number, say, tr};
 use egui::{Color32, RichText, Ui};
 use egui_plot::{AxisHints, GridInput, GridMark, Line, Points};
 use std::collections::BTreeSet;
@@ -68,7 +68,7 @@ fn all_series(rows: &[ConvergenceRow]) -> Vec<Series> {
 }
 
 fn series(method: Method, error: &str, points: Vec<(u32, f64)>) -> Series {
-    let order = fitted_order(&points).map(|p| format!(", {}", say(&key::fitted_order(format!("{p:.1}")))));
+    let order = fitted_order(&points).map(|p| format!(", {}", say(&key::fitted_order(number(p, 1)))));
     let order = order.unwrap_or_default();
     Series { name: format!("{}, {error}{order}", tr(language::method(method))), points }
 }

@@ -1,7 +1,7 @@
 //! The plots of Poisson kernel, harmonic measure and reparameterization over the arc length, updated with the map.
 //!
-//! They are shown in a dock below the viewports: three in a row, or one at a time in a dock narrower than 900 points;
-//! on a phone one at a time in the sheet. Pointing at a plot marks the boundary point and the corresponding one of the
+//! They are shown in a column beside the viewports where these need no more width, else in a dock below: three in a row,
+//! or one at a time in a dock narrower than 900 points; on a phone one at a time in the sheet. Pointing at a plot marks the boundary point and the corresponding one of the
 //! other side in both viewports; pointing at a boundary marks both in the plots.
 
 mod chart;
@@ -22,7 +22,7 @@ use crate::model::Model;
 use crate::model::curves::{Curves, ExactCurves, KeptExact};
 use crate::model::overlays::overlay::{Origin, Overlays};
 use crate::session::DiskWay;
-use egui::{Align, Color32, Layout, RichText, Ui};
+use egui::{Align, Color32, Layout, RichText, Ui, UiBuilder, Vec2};
 
 /// The height of the dock with all plots in a row.
 const ROW_HEIGHT: f32 = 212.0;
@@ -39,6 +39,27 @@ const LEAST_HEIGHT: f32 = 176.0;
 pub fn dock_height(width: f32, both: f32) -> f32 {
     let wanted = if width < ROW_FROM { ONE_HEIGHT } else { ROW_HEIGHT };
     wanted.min((0.5 * both).max(LEAST_HEIGHT))
+}
+
+/// The width of a column of plots beside the pictures, as a share of their common width, and its limits, in points.
+const COLUMN_SHARE: f32 = 0.22;
+const COLUMN: [f32; 2] = [280.0, 400.0];
+/// From the edges of a picture to its outline, left and right together, and above and below together.
+const AROUND: [f32; 2] = [60.0, 112.0];
+/// The plots stand beside the pictures if these keep at least this share of the size that they have above the plots. On
+/// 1280×720 it is 0.91, on 1920×1080 0.90: the width is not needed there. On 1440×900 it is 0.75.
+const KEPT_BESIDE: f32 = 0.88;
+/// A column lower than this shows one plot at a time.
+const COLUMN_FROM: f32 = 520.0;
+/// The free space between the plots of a column.
+const COLUMN_GAP: f32 = 8.0;
+
+/// The width of a column of plots beside pictures that share `both` with it; `None` where they are better below.
+pub fn width_beside(both: Vec2) -> Option<f32> {
+    let column = (COLUMN_SHARE * both.x).clamp(COLUMN[0], COLUMN[1]);
+    let size = |width: f32, height: f32| (0.5 * width - AROUND[0]).min(height - AROUND[1]).max(0.0);
+    let (below, beside) = (size(both.x, both.y - dock_height(both.x, both.y)), size(both.x - column, both.y));
+    (both.x > both.y && beside >= KEPT_BESIDE * below && beside > 0.0).then_some(column)
 }
 
 const KINDS: [Segment<PlotKind>; 3] = [
@@ -197,6 +218,26 @@ impl Plots {
                 found = self.show_plot(ui, kind, overlays, found, actions).or(found);
             }
         });
+        self.settle(ui, found)
+    }
+
+    /// Shows three plots one above the other where they fit into `height`, else one; returns the place under the pointer.
+    pub fn show_column(&self, ui: &mut Ui, model: &Model, height: f32, actions: &mut Actions) -> Option<BoundaryPlace> {
+        if height < COLUMN_FROM {
+            return self.show_one(ui, model, actions);
+        }
+        let none = Overlays::default();
+        let overlays = model.overlays().unwrap_or(&none);
+        let whole = ui.available_rect_before_wrap();
+        let each = (whole.height() - COLUMN_GAP * (KINDS.len() - 1) as f32) / KINDS.len() as f32;
+        let mut found = None;
+        for (k, kind) in KINDS.iter().enumerate() {
+            let top = whole.top() + k as f32 * (each + COLUMN_GAP);
+            let place = whole.with_min_y(top).with_max_y(top + each);
+            ui.scope_builder(UiBuilder::new().id_salt(("plot", k)).max_rect(place), |ui| {
+                found = self.show_plot(ui, kind, overlays, found, actions).or(found);
+            });
+        }
         self.settle(ui, found)
     }
 

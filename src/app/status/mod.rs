@@ -3,13 +3,13 @@
 pub mod pointed;
 pub mod stats;
 
-use super::theme::Palette;
+use super::theme::{self, Palette};
 use crate::app::language::words;
 use crate::app::language::words::grouped;
 use crate::app::theme::text_metrics::text_width;
 use crate::app::theme::widgets::caption_font;
 use crate::conformal::Side;
-use crate::language::{key, say, tr};
+use crate::language::{key, number, say, tr};
 use crate::model::{Model, PointedImage, SideKernel};
 use egui::{Align, Label, Layout, RichText, Ui};
 
@@ -50,11 +50,11 @@ impl FrameMeter {
 }
 
 fn tenths(ms: f64) -> String {
-    format!("{ms:.1}")
+    number(ms, 1)
 }
 
 fn hundredths(ms: f64) -> String {
-    format!("{ms:.2}")
+    number(ms, 2)
 }
 
 /// The width that the backend's name needs, in points.
@@ -94,7 +94,7 @@ fn facts(
             mean_q(ui, quality.q_mean, palette.weak).on_hover_text(format!(
                 "{}\n\n{}",
                 tr(words::QUALITY_TOOLTIP),
-                say(&key::largest_q(format!("{:.3}", quality.q_max)))
+                say(&key::largest_q(number(quality.q_max, 3)))
             ));
             let ink = if quality.flipped == 0 { palette.weak } else { palette.error_edge };
             let flipped = say(&key::flipped(grouped(quality.flipped as usize)));
@@ -119,9 +119,12 @@ fn facts(
         if let (Some(rate), false) = (meter.frames_per_second(), narrow) {
             ui.label(weak(say(&key::fps(f64::from(rate.round()))))).on_hover_text(tr(key::fps_tooltip()));
         }
+        if !narrow {
+            sizes(ui, model);
+        }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if !narrow {
-                let hint = tr(model.hint());
+                let hint = tr(model.hint(theme::suits_fingers(ui)));
                 if text_width(ui, hint, caption_font(ui)) + BACKEND_FROM <= ui.available_width() {
                     ui.label(weak(hint.to_owned()));
                 }
@@ -142,6 +145,19 @@ fn mean_q(ui: &mut Ui, mean: f64, ink: egui::Color32) -> egui::Response {
     ui.painter().hline(left..=left + width, above, egui::Stroke::new(1.0, ink));
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, format!("Q̄ {mean:.3}")));
     response
+}
+
+/// m, n and the times of preparation of both sides, where there is room.
+fn sizes(ui: &mut Ui, model: &Model) {
+    let prepared = || Side::BOTH.into_iter().filter_map(|side| Some((side, &**model.prepared(side)?)));
+    let text = words::sizes(prepared().map(|(_, prepared)| prepared));
+    let room = ui.available_width() - BACKEND_FROM - ui.spacing().item_spacing.x;
+    if prepared().next().is_none() || text_width(ui, &text, caption_font(ui)) > room {
+        return;
+    }
+    let of_side = |(side, prepared)| format!("{}\n{}", words::side(side), words::details(prepared));
+    let details = prepared().map(of_side).collect::<Vec<_>>().join("\n\n");
+    ui.label(RichText::new(text).small().color(Palette::of(ui.visuals()).weak)).on_hover_text(details);
 }
 
 /// The estimate of the error, or why there is none: sides are being sharpened, or stay with finite elements; and how far

@@ -4,7 +4,7 @@ use crate::app::theme::Palette;
 use crate::app::theme::text_metrics::text_width;
 use crate::app::theme::widgets::caption_font;
 use crate::geometry::DVec2;
-use crate::language::{key, number, say, tr};
+use crate::language::{decimal, key, number, say, tr};
 use crate::model::PointedImage;
 use egui::{Label, RichText, Ui};
 
@@ -70,7 +70,7 @@ fn significant(value: f64, digits: usize) -> String {
         let before = value.log10().floor() as i32;
         number(value, (digits as i32 - before - 1).clamp(0, 15) as usize)
     } else {
-        format!("{value:.*e}", digits.saturating_sub(1))
+        decimal(&format!("{value:.*e}", digits.saturating_sub(1)))
     }
 }
 

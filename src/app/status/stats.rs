@@ -200,8 +200,19 @@ pub struct WindowStats {
     pub export_count: Option<[u32; 2]>,
     /// The progress of a formula, and what the last one reached.
     pub formula: FormulaStats,
+    /// The link that the window "Share" shows; `None` while it is closed.
+    pub share: Option<ShareStats>,
     /// Where the windows that are open are closed, by name.
     pub close: BTreeMap<&'static str, [f32; 2]>,
+}
+
+/// A link that is shared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct ShareStats {
+    /// The length of the address.
+    pub bytes: usize,
+    /// The modules along an edge of its QR code; `None` where the link is too long for one.
+    pub modules: Option<usize>,
 }
 
 /// A formula that is computed or was computed.

@@ -235,6 +235,9 @@ fn a_message_about_both_sides_covers_nothing_and_can_be_closed() {
         }
         screen.state_mut().messages.common = Some("The link could not be opened: ".repeat(200).into());
         screen.run_steps(4);
+        assert!(before - message_bar_top(&screen) < 160.0, "{size:?}: a long message is folded");
+        screen.get_by_label("More").click();
+        screen.run_steps(4);
         let share = (before - message_bar_top(&screen)) / before;
         assert!((0.25..0.5).contains(&share), "{size:?}: a long message takes {share} of the height");
         (screen.state_mut().messages.common, screen.state_mut().messages.offer) = (Some("Not saved.".into()), None);
@@ -301,6 +304,8 @@ fn messages_of_a_side_lie_over_its_dots() {
     let text = "This outline is none, for a reason that takes some words. ".repeat(6);
     screen.state_mut().model.refuse(Side::Source, crate::model::side::user_error::UserError::new(text.into()));
     screen.run_steps(4);
+    screen.get_by_label("More").click();
+    screen.run_steps(4);
     let source = egui::Pos2::from(screen.state().stats().screen.handles.x1.unwrap());
     assert!(screen.get_by_label_contains("is none").rect().contains(source), "the dot is under the message");
     let place = |is: &dyn Fn(&egui::Shape) -> bool| {
@@ -336,6 +341,7 @@ fn on_a_phone_in_landscape_tour_and_message_leave_the_pictures_room() {
 #[test]
 fn a_narrow_picture_has_one_of_fit_and_swap_and_keeps_its_title() {
     let mut screen = screen(LYING_PHONE, Language::German);
+    act(&mut screen, Action::ToggleColumn);
     let there = |screen: &Screen| {
         ["Tauschen", "Einpassen"].map(|label| {
             let view = screen.state().pictures.views.target.rect;

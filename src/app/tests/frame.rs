@@ -48,7 +48,7 @@ fn tab_folds_the_panels_by_the_next_frame_and_is_ignored_where_they_are_locked()
         assert!(harness.state().screen.panels_open, "nothing changes before the frame");
         harness.run_steps(2);
         assert_eq!(harness.state().screen.panels_open, locked);
-        assert_eq!(harness.query_by_label("Backward").is_some(), locked);
+        assert_eq!(harness.query_by_label("Checker").is_some(), locked);
         assert_eq!(harness.state().stats().screen.errors, [""; 0]);
     }
 }

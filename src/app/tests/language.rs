@@ -3,7 +3,7 @@
 use crate::app::input::action::EditAction;
 use crate::app::input::action::ExploreAction;
 use crate::app::input::locks::Locks;
-use crate::app::input::preferences::Preferences;
+use crate::app::input::preferences::{Habit, Preferences};
 use crate::app::tests::ready_app;
 use crate::app::*;
 use crate::conformal::{Extension, Side};
@@ -54,8 +54,10 @@ fn the_whole_screen_speaks_german() {
     harness.state_mut().screen.preferences = preferences;
     language::set(Language::German);
     check(&mut harness, "the first picture");
-    for menu in ["Datei", "Quelle", "Ziel", "Figuren", "Hilfe"] {
-        harness.get_by_label(menu).click();
+    harness.state_mut().recall(Habit::Advanced(true));
+    check(&mut harness, "the advanced controls");
+    for menu in ["Datei", "Formen", "Figuren", "Hilfe"] {
+        harness.get_all_by_label(menu).next().unwrap().click();
         check(&mut harness, menu);
         harness.key_press(egui::Key::Escape);
         harness.run_steps(3);

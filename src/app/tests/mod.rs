@@ -2,6 +2,7 @@
 
 mod colour_vision;
 mod corners;
+mod first_visit;
 mod fitting;
 mod frame;
 mod language;
@@ -352,7 +353,7 @@ fn pointing_at_a_plot_marks_the_boundary() {
 fn the_app_prepares_shows_and_answers_to_a_drag() {
     let mut harness = ready_app([1200.0, 800.0]);
     let before = harness.state().stats();
-    harness.get_by_label("drag a dot · scroll to zoom · drop a file anywhere");
+    harness.get_by_label("scroll to zoom · drop a file anywhere");
     let [x, y] = before.screen.handles.x1.unwrap();
     harness.drag_at(egui::pos2(x, y));
     harness.step();

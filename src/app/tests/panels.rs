@@ -1,15 +1,20 @@
 //! The side panel: what its controls ask for, and how it names its state.
 
 use super::*;
+use crate::app::input::preferences::Habit;
 use crate::app::panels::side_panel;
+use crate::app::panels::side_panel::Column;
 use crate::model::overlays::walks::WalkAction;
 use crate::session::{Colouring, Comparison, TextureKind};
+
+/// The column with its advanced controls.
+const UNFOLDED: Column<'static> = Column { image_name: None, advanced: true, in_sheet: false };
 
 /// Clicks on `label` in the side panel and returns the emitted actions.
 pub fn click_in_panel(model: &Model, label: &str) -> Actions {
     let mut actions = Actions::new();
     let mut harness = Harness::builder().with_size([260.0, 900.0]).with_context_setup(theme::install).build_ui(|ui| {
-        side_panel::show(ui, model, &Player::default(), None, &mut actions);
+        side_panel::show(ui, model, &Player::default(), UNFOLDED, &mut actions);
     });
     harness.get_by_label(label).click();
     harness.run();
@@ -58,7 +63,9 @@ fn comparisons_walks_and_polar_grids_are_one_click_away() {
 #[test]
 fn the_plots_name_what_is_drawn_over_them_and_the_walks_repaint_only_while_they_run() {
     let mut harness = ready_app([1200.0, 1100.0]);
+    harness.state_mut().recall(Habit::Advanced(true));
     harness.key_press(egui::Key::P);
+    harness.run_steps(2);
     harness.get_by_label("Both").click();
     harness.run_steps(30);
     let stats = harness.state().stats();
@@ -83,7 +90,7 @@ fn corners_can_be_kept_on_either_side() {
     let model = prepared_model();
     let mut actions = Actions::new();
     let mut harness = Harness::builder().with_size([260.0, 1200.0]).with_context_setup(theme::install).build_ui(|ui| {
-        side_panel::show(ui, &model, &Player::default(), None, &mut actions);
+        side_panel::show(ui, &model, &Player::default(), UNFOLDED, &mut actions);
     });
     let target = harness.get_all_by_label("Keep corners").last().unwrap();
     target.click();
@@ -102,7 +109,7 @@ fn the_selected_segment_says_so_to_assistive_technology() {
     let model = prepared_model();
     let mut actions = Actions::new();
     let harness = Harness::builder().with_size([260.0, 900.0]).with_context_setup(theme::install).build_ui(|ui| {
-        side_panel::show(ui, &model, &Player::default(), None, &mut actions);
+        side_panel::show(ui, &model, &Player::default(), UNFOLDED, &mut actions);
     });
     let toggled = |label| harness.get_by_label(label).accesskit_node().toggled();
     assert_eq!(toggled("Checker"), Some(egui::accesskit::Toggled::True));

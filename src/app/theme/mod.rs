@@ -3,6 +3,8 @@
 //! Widgets take their colors from egui's visuals, which are set from the
 //! [`Palette`] here; custom painting takes them from [`Palette::of`].
 
+pub mod explained;
+pub mod icons;
 pub mod text_metrics;
 pub mod widgets;
 
@@ -139,6 +141,11 @@ pub fn suit_pointer(context: &egui::Context, fingers: bool) {
     if context.global_style().spacing.interact_size.y != height {
         context.all_styles_mut(|style| style.spacing.interact_size.y = height);
     }
+}
+
+/// Whether controls have the height that fingers need.
+pub fn suits_fingers(ui: &egui::Ui) -> bool {
+    ui.ctx().global_style().spacing.interact_size.y > ROW_HEIGHT
 }
 
 /// The height of a control: `compact` for a mouse, the row height on touch screens.

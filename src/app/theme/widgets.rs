@@ -1,14 +1,17 @@
 //! Widgets that egui does not have: segmented switches, sliders with a caption
-//! above, group headings, message boxes, legend signs.
+//! above, message boxes, legend signs.
 
-use crate::app::theme::text_metrics::{button_width, text_width};
-use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, bold, control_height};
+use crate::app::theme::text_metrics::{button_width, menu_label, text_width};
+use crate::app::theme::{PHONE_WIDTH, Palette, ROUNDING, ROW_HEIGHT, control_height};
 use crate::language::{Label as Words, Message, key, say, tr};
+use egui::containers::menu::{MenuButton, MenuConfig};
+use egui::text::LayoutJob;
 use egui::{
-    Align2, Button, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Role, ScrollArea, Sense,
-    Stroke, StrokeKind, TextStyle, TextWrapMode, Ui, UiBuilder, WidgetInfo, WidgetText, pos2, vec2,
+    Align2, Button, Color32, CornerRadius, FontId, Frame, Galley, Id, Margin, PopupCloseBehavior, Rect, Response,
+    RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, TextStyle, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 /// One choice of a [`segmented`] switch.
 #[derive(Debug, Clone, Copy)]
@@ -135,13 +138,6 @@ fn slider_rows(
     (response.changed() && moved != value).then_some(moved)
 }
 
-/// The heading of a group of controls, in small capitals.
-pub fn group_heading(ui: &mut Ui, text: &str) {
-    let palette = Palette::of(ui.visuals());
-    ui.add_space(6.0);
-    ui.label(RichText::new(text.to_uppercase()).font(bold(11.0)).color(palette.weak).extra_letter_spacing(0.8));
-}
-
 /// Content over a picture that takes clicks and drags on its whole area, so that none reaches the picture below.
 pub fn opaque<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
     ui.scope_builder(UiBuilder::new().sense(Sense::CLICK | Sense::DRAG), content).inner
@@ -168,8 +164,13 @@ const LEAST_MESSAGE: f32 = 36.0;
 const MESSAGE_MARGIN: i8 = 8;
 const MESSAGE_EDGE: f32 = 1.0;
 
-/// An error in a box, with a button to close it and the button of its quick fix, if it has one. The box is at most
-/// `most` high, or two lines if that is more; longer words scroll, so that the buttons are always visible.
+/// Words with more lines than this are folded to [`FOLDED_LINES`] until they are asked for in full.
+const MOST_LINES: usize = 4;
+const FOLDED_LINES: usize = 3;
+
+/// An error in a box, with a button to close it and the button of its quick fix, if it has one. Long words are folded.
+/// The box is at most `most` high, or two lines if that is more; longer words scroll, so that the buttons are always
+/// visible.
 pub fn message_box(ui: &mut Ui, text: &Message, quick_fix: Option<Words>, most: f32) -> Option<MessageAnswer> {
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new()
@@ -179,39 +180,81 @@ pub fn message_box(ui: &mut Ui, text: &Message, quick_fix: Option<Words>, most: 
         .inner_margin(Margin::symmetric(12, MESSAGE_MARGIN));
     let most = most - 2.0 * (f32::from(MESSAGE_MARGIN) + MESSAGE_EDGE);
     let content = |ui: &mut Ui| {
-        let quick_fix_width = quick_fix.map_or(0.0, |label| button_width(ui, tr(label)));
-        let buttons = control_height(ui, CROSS_WIDTH) + ui.spacing().item_spacing.x + quick_fix_width;
+        let mut words = FoldedWords::new(ui, text);
+        let buttons = button_row_width(ui, quick_fix);
         if ui.available_width() - buttons < LEAST_WORDS {
-            message_words(ui, text, most - ui.spacing().item_spacing.y - ui.spacing().interact_size.y);
-            return ui.horizontal(|ui| message_buttons(ui, quick_fix)).inner;
+            words.show(ui, most - ui.spacing().item_spacing.y - ui.spacing().interact_size.y);
+            return ui.horizontal(|ui| message_buttons(ui, &words, quick_fix)).inner;
         }
         let in_a_row = |ui: &mut Ui| {
             ui.scope(|ui| {
                 ui.set_max_width(ui.available_width() - buttons);
-                message_words(ui, text, most);
+                words.show(ui, most);
             });
-            message_buttons(ui, quick_fix)
+            message_buttons(ui, &words, quick_fix)
         };
         ui.horizontal(in_a_row).inner
     };
     opaque(ui, |ui| frame.show(ui, content).inner)
 }
 
-fn message_words(ui: &mut Ui, text: &Message, most: f32) {
-    let most = most.max(LEAST_MESSAGE);
-    let words = RichText::new(say(text)).color(Palette::of(ui.visuals()).text);
-    let width = ui.available_width();
-    let words = WidgetText::from(words).into_galley(ui, Some(TextWrapMode::Wrap), width, TextStyle::Body);
-    if words.size().y <= most {
-        ui.label(words);
-        return;
-    }
-    // a scroll area inherits the layout: in a horizontal one its content would be centered vertically
-    let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most);
-    ui.vertical(|ui| area.show(ui, |ui| ui.label(words)));
+/// The width of a message's buttons, with the one that unfolds it.
+fn button_row_width(ui: &Ui, quick_fix: Option<Words>) -> f32 {
+    let labels = [Some(key::more_words()), quick_fix].into_iter().flatten();
+    let labels: f32 = labels.map(|label| button_width(ui, tr(label))).sum();
+    control_height(ui, CROSS_WIDTH) + ui.spacing().item_spacing.x + labels
 }
 
-fn message_buttons(ui: &mut Ui, quick_fix: Option<Words>) -> Option<MessageAnswer> {
+/// The words of a message: all of them, or their first lines.
+struct FoldedWords {
+    words: String,
+    id: Id,
+    is_long: bool,
+    unfolded: bool,
+}
+
+impl FoldedWords {
+    fn new(ui: &Ui, text: &Message) -> Self {
+        let words = say(text);
+        let id = Id::unique(("unfolded", &words));
+        let unfolded = ui.data(|data| data.get_temp(id)).unwrap_or(false);
+        Self { words, id, is_long: false, unfolded }
+    }
+
+    fn galley(&self, ui: &Ui, most_rows: usize) -> Arc<Galley> {
+        let font = TextStyle::Body.resolve(ui.style());
+        let ink = Palette::of(ui.visuals()).text;
+        let mut job = LayoutJob::simple(self.words.clone(), font, ink, ui.available_width());
+        job.wrap.max_rows = most_rows;
+        ui.painter().layout_job(job)
+    }
+
+    /// Shows the words, at most `most` high or two lines.
+    fn show(&mut self, ui: &mut Ui, most: f32) {
+        let whole = self.galley(ui, usize::MAX);
+        self.is_long = whole.rows.len() > MOST_LINES;
+        let shown = if self.is_long && !self.unfolded { self.galley(ui, FOLDED_LINES) } else { whole };
+        let most = most.max(LEAST_MESSAGE);
+        if shown.size().y <= most {
+            ui.label(shown);
+            return;
+        }
+        // a scroll area inherits the layout: in a horizontal one its content would be centered vertically
+        let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most);
+        ui.vertical(|ui| area.show(ui, |ui| ui.label(shown)));
+    }
+
+    /// The button that unfolds long words, or folds them again.
+    fn button(&self, ui: &mut Ui) {
+        let label = if self.unfolded { key::fewer_words() } else { key::more_words() };
+        if self.is_long && ui.button(tr(label)).clicked() {
+            ui.data_mut(|data| data.insert_temp(self.id, !self.unfolded));
+        }
+    }
+}
+
+fn message_buttons(ui: &mut Ui, words: &FoldedWords, quick_fix: Option<Words>) -> Option<MessageAnswer> {
+    words.button(ui);
     let helps = quick_fix.is_some_and(|label| ui.button(tr(label)).clicked());
     let width = control_height(ui, CROSS_WIDTH);
     let cross = ui.add(Button::new("×").min_size(vec2(width, 0.0))).on_hover_text(tr(key::close_message()));
@@ -243,6 +286,27 @@ pub fn give_keyboard(button: &Response, label: &str) {
     button.request_focus();
     let said = egui::output::OutputEvent::FocusGained(WidgetInfo::labeled(Role::Button, true, label));
     button.ctx.output_mut(|output| output.events.push(said));
+}
+
+/// A button that opens a menu, with a chevron; a phone's bar has no room for chevrons.
+pub fn drop_down(ui: &mut Ui, label: &str, closes: PopupCloseBehavior, content: impl FnOnce(&mut Ui)) {
+    let is_plain = ui.ctx().content_rect().width() < PHONE_WIDTH;
+    let text = if is_plain { label.to_owned() } else { menu_label(label) };
+    let least = if is_plain { control_height(ui, 0.0) } else { 0.0 };
+    let button = MenuButton::from_button(Button::new(text).min_size(vec2(least, 0.0)));
+    let (response, _) = button.config(MenuConfig::new().close_behavior(closes)).ui(ui, content);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));
+    if !is_plain {
+        chevron(ui, response.rect, false);
+    }
+}
+
+/// The width of a [`drop_down`] button and of the gap beside it, in points.
+pub fn drop_down_width(ui: &Ui, label: &str) -> f32 {
+    let is_plain = ui.ctx().content_rect().width() < PHONE_WIDTH;
+    let width = if is_plain { button_width(ui, label) } else { button_width(ui, &menu_label(label)) };
+    let least = if is_plain { control_height(ui, 0.0) + ui.spacing().item_spacing.x } else { 0.0 };
+    width.max(least)
 }
 
 /// A chevron at the right end of a button that opens a menu or sheet, pointing down or up.

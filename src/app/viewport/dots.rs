@@ -6,6 +6,7 @@ use crate::app::plots::Plots;
 use crate::app::theme::widgets::caption_font;
 use crate::app::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
 use crate::conformal::Side;
+use crate::language::{self, Label, Language, key, number, tr};
 use egui::emath::GuiRounding;
 use egui::{Color32, CornerRadius, CursorIcon, Painter, Pos2, Rect, Response, Stroke, StrokeKind, Ui, vec2};
 
@@ -52,8 +53,19 @@ pub fn grab_and_release(
     }
     if handles.grip.is_some() {
         ui.set_cursor_icon(CursorIcon::Grabbing);
-    } else if under.is_some() {
+    } else if let Some(handle) = under {
         ui.set_cursor_icon(CursorIcon::Grab);
+        response.clone().on_hover_text_at_pointer(tr(explanation(handle)));
+    }
+}
+
+/// What a dot stands for, in a sentence.
+pub fn explanation(handle: Handle) -> Label {
+    match (handle.kind, handle.side) {
+        (HandleKind::Interior, Side::Source) => key::explain_x1(),
+        (HandleKind::Interior, Side::Target) => key::explain_x2(),
+        (HandleKind::Boundary, Side::Source) => key::explain_y1(),
+        (HandleKind::Boundary, Side::Target) => key::explain_y2(),
     }
 }
 
@@ -87,6 +99,13 @@ pub fn paint(ui: &Ui, painter: &Painter, handle: Handle, dot: Dot, handles: &Han
     if handles.is_held(handle) || handles.focused == Some(handle) {
         paint_words(ui, painter, words(), place);
     }
+}
+
+/// The symbol and the coordinates of a dot; the decimal comma needs a semicolon between them.
+pub fn coordinates(handle: Handle, place: &[f64]) -> String {
+    let between = if language::current() == Language::German { "; " } else { ", " };
+    let place = place.iter().map(|coordinate| number(*coordinate, 3)).collect::<Vec<_>>().join(between);
+    format!("{} = ({place})", handle.symbol())
 }
 
 /// Paints the mark of the boundary point under the pointer, or of the corresponding one.

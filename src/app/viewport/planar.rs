@@ -210,7 +210,7 @@ pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Han
     for (kind, point) in points {
         if let Some(point) = point {
             let handle = Handle { side, kind };
-            let words = || format!("{} = ({:.3}, {:.3})", handle.symbol(), point.x, point.y);
+            let words = || dots::coordinates(handle, &point.to_array());
             dots::paint(ui, &painter, handle, Dot { place: view.to_screen(point), hidden: false }, handles, &words);
         }
     }

@@ -1,8 +1,10 @@
-//! The windows: gallery, figures, list of keys and tour (`explore`); export (`exporting`); measurements (`reports`).
+//! The windows: gallery, figures, list of keys and tour (`explore`); export (`exporting`); measurements (`reports`);
+//! the link (`share`).
 
 pub mod explore;
 pub mod exporting;
 pub mod reports;
+pub mod share;
 
 /// The windows, each open or closed.
 #[derive(Default)]
@@ -10,4 +12,5 @@ pub struct Windows {
     pub explore: explore::Explore,
     pub exporter: exporting::Exporter,
     pub reports: reports::Reports,
+    pub share: share::Share,
 }

@@ -11,7 +11,7 @@ use crate::figures::{
     BenchRow, BenchSetting, ConvergenceRow, Detail, LadderRow, LadderShape, Measurement, PaperFrame, PaperPreparation,
     Rung, TABLE_1, TABLE_2,
 };
-use crate::language::{self, Label, Message, key, say, tr};
+use crate::language::{self, Label, Message, key, number, say, tr};
 use crate::worker::{Finding, Study};
 use egui::{Grid, Key, RichText, ScrollArea, Ui, Window, vec2};
 use std::collections::VecDeque;
@@ -302,11 +302,11 @@ fn row(ui: &mut Ui, name: &str, cells: &[String]) {
 }
 
 fn seconds(s: f64) -> String {
-    if s < 0.1 { format!("{s:.4}") } else { format!("{s:.2}") }
+    if s < 0.1 { number(s, 4) } else { number(s, 2) }
 }
 
 fn milliseconds(ms: f64) -> String {
-    format!("{ms:.2}")
+    number(ms, 2)
 }
 
 #[cfg(test)]

@@ -11,8 +11,8 @@ delete_tooltip = Den gewählten Griff entfernen (Entf)
 finish_editing = Fertig
 handles_tooltip = Ein Quadrat ziehen, um den Umriss umzuformen. Ein Doppelklick auf den Umriss setzt noch eines; ein Rechtsklick oder langes Drücken entfernt eines. Pfeiltasten bewegen das gewählte (fein mit Umschalt), N geht zum nächsten; Escape beendet.
 draw_around_shape_go = Die Form in einem Zug umfahren
-click_corners = Die Ecken nacheinander anklicken
-click_points_along_curve = Punkte längs der Kurve anklicken
+click_corners = Die Ecken nacheinander setzen
+click_points_along_curve = Punkte längs der Kurve setzen
 back = Zurück
 back_tooltip = Den letzten Punkt zurücknehmen (Rücktaste)
 close = Schließen
@@ -74,7 +74,6 @@ accuracy_and_convergence = Genauigkeit und Konvergenz
 invariants_of = Invarianten · { $side }
 compute_invariants = Berechnen
 invariants_explained = Zahlen, die keine konforme Abbildung ändert, jede mit einer Schätzung ihres Fehlers, aus einer Integralgleichung auf dem Rand. Harmonisches Maß: die Wahrscheinlichkeit, dass ein zufälliger Weg vom inneren Punkt den Rand dort zuerst trifft. Konformer Radius: der Betrag der Ableitung der Abbildung der Kreisscheibe auf die Form, 0 auf den inneren Punkt. Kapazität: der Radius der Scheibe, deren Äußeres gleich aussieht. Modul: der extremale Abstand zwischen den Bögen von Marke 1 bis 2 und von Marke 3 bis 4. Hyperbolischer Abstand: zwischen dem inneren und dem zweiten Punkt, für die Krümmung −1.
-what_invariants_are = Was sind Invarianten?
 four_marks = Vier Marken
 four_marks_tooltip = Randpunkte als Anteile der Randlänge vom ersten Punkt an, gegen den Uhrzeigersinn: die Maße der Bögen zwischen ihnen und der Modul
 mark = Marke { $number }
@@ -119,7 +118,7 @@ figure_samples_of_outline = { $samples } Punkte auf dem Umriss
 figure_boundary_of_surface = { $boundary } Randecken der Fläche
 figure_surface_file = die Fläche { $surface }
 figure_sides = { $source }, { $target }
-figure_samples = { $source } Punkte auf der Quelle, { $target } auf dem Ziel
+figure_samples = { $source } Punkte auf dem Urbild, { $target } auf dem Bild
 
 ## file menu
 
@@ -191,7 +190,7 @@ fit = Einpassen
 fit_tooltip = Alles zeigen (Doppelklick)
 shapes = Formen
 swap = Tauschen
-swap_tooltip = Quelle und Ziel vertauschen
+swap_tooltip = Urbild und Bild vertauschen
 panels_tooltip = Leisten wegklappen oder zurückholen (Tab)
 open_shape_tooltip = Ein Umriss aus einer Datei (JSON, GeoJSON, SVG, CSV, Text) oder eine Fläche (OBJ, PLY, STL, OFF, glTF, GLB)
 interior_point_x1 = innerer Punkt x₁
@@ -237,10 +236,9 @@ locked = Die Adresse der Seite hält dies fest
 
 ## method
 
-method = Verfahren
 cauchy_green_needs_plane = Das Cauchy-Integral läuft über einen Rand in der Ebene; der einer Fläche liegt im Raum
 exact_needs_integral = Genaue Bilder brauchen den Integral-Kern auf beiden Seiten: Finite Elemente kennen den Rand nur auf zwei bis drei Stellen
-harmonic_for_now = vorerst harmonisch · { $percent } %
+harmonic_for_now = vorerst harmonisch · { $percent } %
 harmonic = Harmonisch
 cauchy_green = Cauchy–Green
 exact_images = Genau
@@ -285,7 +283,7 @@ taken_for = aufgefasst als { $kind }, { $corners ->
 taken_polygon = Vieleck
 taken_smooth = glatt
 corners_of = Ecken ({ $count })
-corner_at = Ecke { $number } bei ({ $x }, { $y })
+corner_at = Ecke { $number } bei ({ $x }; { $y })
 corner_tooltip = Mit Haken biegt der Umriss hier ab, ohne Haken geht er glatt hindurch
 corner_mark_tooltip = Eine Ecke: klicken, um sie zu glätten
 smooth_mark_tooltip = Glatt: klicken, um eine Ecke daraus zu machen
@@ -317,17 +315,17 @@ pasted = Eingefügt
 
 ## keyboard navigation
 
-picture_source = Bild der Quelle
-picture_target = Bild des Ziels
-x1_interior_point_source = x₁, innerer Punkt der Quelle
-x2_interior_point_target = x₂, innerer Punkt des Ziels
-y1_boundary_point_source = y₁, Randpunkt der Quelle
-y2_boundary_point_target = y₂, Randpunkt des Ziels
+picture_source = Ansicht des Urbilds
+picture_target = Ansicht des Bildes
+x1_interior_point_source = x₁, innerer Punkt des Urbilds
+x2_interior_point_target = x₂, innerer Punkt des Bildes
+y1_boundary_point_source = y₁, Randpunkt des Urbilds
+y2_boundary_point_target = y₂, Randpunkt des Bildes
 
 ## offer
 
 trace_picture_tooltip = Der Umriss der größten Form in einem PNG oder JPEG
-picture_texture = Das Bild ist die Textur.
+picture_texture = Das Foto ist das Muster.
 trace_outline = Als Umriss nachzeichnen
 no = Nein
 
@@ -365,8 +363,8 @@ back_plane_tooltip = Wieder den Umriss dieser Seite zeigen
 along_boundary = { $count } entlang des Randes
 surface_map_tooltip = Der Laplace-Operator einer Fläche folgt aus den Längen ihrer Kanten; das harmonische Maß auf ihrem Rand wird mit dem der anderen Seite abgeglichen. Über einem Umriss erhält jede Ecke ihren Ort darin: ihre Texturkoordinate; auf einer anderen Fläche einen Punkt von dieser
 delaunay_tooltip = Kanten werden innerhalb der Fläche umgeklappt, bis alle Kotangensgewichte positiv sind: Dann ist es auch das harmonische Maß, und der Rand behält seine Reihenfolge. Die Fläche selbst bleibt, wie sie ist
-surface_direction = Jeder Punkt der Fläche wird auf den Umriss links abgebildet
-surface_direction_right = Jeder Punkt der Fläche wird auf den Umriss rechts abgebildet
+surface_direction = Jeder Punkt der Fläche wird auf den Umriss des Urbilds abgebildet
+surface_direction_target = Jeder Punkt der Fläche wird auf den Umriss des Bildes abgebildet
 surfaces_direction = Beide Flächen werden auf die Einheitskreisscheibe abgebildet; Punkte am selben Ort der Scheibe entsprechen einander
 through_disk = Über die Scheibe
 random_walks_heading = Irrfahrten
@@ -390,15 +388,15 @@ walks = { $count ->
 largest_deviation = größte Abweichung von ω: { $deviation } (Zufall: etwa { $chance })
 conformal = Konform
 euclidean = Euklidisch
-in_source = In der Quelle
-in_target = Im Ziel
+in_source = Im Urbild
+in_target = Im Bild
 off = Aus
 fresh = Frisch
 precomputed = Vorberechnet
 conformal_tooltip = Das Polargitter der Scheibe auf beiden Seiten: Die Kreise sind Niveaulinien der Greenschen Funktion um x, zwischen den Strahlen liegt gleiches harmonisches Maß, der erste endet in y. Für eine konforme Abbildung sind alle Zellen Quadrate
 euclidean_tooltip = Echte Kreise und Strahlen um den inneren Punkt der Seite, auf der das Muster liegt
-in_source_tooltip = Das Muster liegt auf der Quelle und wird zum Ziel vorgeschoben; passt am besten zu „Rückwärts“, das das ganze Ziel füllt
-in_target_tooltip = Das Muster liegt auf dem Ziel und wird zur Quelle zurückgezogen; passt am besten zu „Vorwärts“, das die ganze Quelle füllt
+in_source_tooltip = Das Muster liegt auf dem Urbild und wird zum Bild vorgeschoben; passt am besten zu „Rückwärts“, das das ganze Bild füllt
+in_target_tooltip = Das Muster liegt auf dem Bild und wird zum Urbild zurückgezogen; passt am besten zu „Vorwärts“, das das ganze Urbild füllt
 off_tooltip = Diese Abbildung allein
 fresh_tooltip = Beide Gebiete werden für jede Lage von x₁ und x₂ neu auf die Scheibe abgebildet, mit dem geodätischen Algorithmus: richtig, aber zu langsam zum Ziehen; bis die Punkte ruhen, werden wenige Randpunkte benutzt
 precomputed_tooltip = Jedes Gebiet wird einmal auf die Scheibe abgebildet, für seine Mitte; x zu bewegen ist dann nur noch eine Möbiustransformation. Schnell, doch in langen Armen gehen der Scheibe die Stellen aus: Punkte fallen zusammen oder tauschen ihre Plätze, und keine Möbiustransformation trennt sie wieder
@@ -409,21 +407,21 @@ walks_tooltip = Kakutani (1944): Das harmonische Maß eines Randstücks ist die 
 ## paste
 
 paste_kinds = SVG-Pfaddaten (M 0 0 L 2 0 …), SVG, Koordinaten (0,0 2,0 1,3 oder ein Punkt je Zeile), JSON oder GeoJSON
-paste_outline_source = Einen Umriss für die Quelle einfügen
-paste_outline_target = Einen Umriss für das Ziel einfügen
+paste_outline_source = Einen Umriss für das Urbild einfügen
+paste_outline_target = Einen Umriss für das Bild einfügen
 use_pasted = Verwenden
 
 ## play panel
 
 speed = Tempo
 all = Alle
-x1_tooltip = Der innere Punkt der Quelle läuft auf einem Kreis, der innen bleibt
-x2_tooltip = Der innere Punkt des Ziels läuft auf einem Kreis, der innen bleibt
-y1_tooltip = Der Randpunkt der Quelle läuft einmal um; gleiche Zeiten sind gleiche harmonische Maße: die Kreisscheibe dreht sich gleichmäßig
+x1_tooltip = Der innere Punkt des Urbilds läuft auf einem Kreis, der innen bleibt
+x2_tooltip = Der innere Punkt des Bildes läuft auf einem Kreis, der innen bleibt
+y1_tooltip = Der Randpunkt des Urbilds läuft einmal um; gleiche Zeiten sind gleiche harmonische Maße: die Kreisscheibe dreht sich gleichmäßig
 all_tooltip = Alle zugleich, durch alle Abbildungen des einen Gebiets auf das andere
 no_plane = Dieser Punkt liegt auf einer Fläche: er wird von Hand gezogen
 play_tooltip = Die Punkte auf einer Schleife laufen lassen oder anhalten, wo sie sind (Leertaste)
-seconds_for_turn = { $seconds } s je Umlauf
+seconds_for_turn = { $seconds } s je Umlauf
 stop_here = Hier anhalten
 play = Abspielen
 
@@ -482,8 +480,8 @@ unit_box_tooltip = Texturkoordinaten werden in die Einheitsbox verschoben und sk
 true_scale_tooltip = Texturkoordinaten sind die des Umrisses
 per_second = { $rate } je Sekunde
 both = Beide
-source_heading = Quelle
-target_heading = Ziel
+source_heading = Urbild
+target_heading = Bild
 ground = Grund
 transparent = Durchsichtig
 transparent_tooltip = Ohne die Farbe hinter der Abbildung
@@ -510,8 +508,8 @@ draw_lines_tooltip = Gerade Kanten zwischen angeklickten Punkten (L)
 draw_curve = Kurve zeichnen
 draw_curve_tooltip = Eine glatte Kurve durch angeklickte Punkte (C)
 paste = Einfügen…
-paste_tooltip = SVG-Pfaddaten oder Koordinaten; Strg+V gilt überall der Quelle
-trace_picture = Bild nachzeichnen…
+paste_tooltip = SVG-Pfaddaten oder Koordinaten; Strg+V gilt überall dem Urbild
+trace_picture = Foto nachzeichnen…
 
 ## shortcuts
 
@@ -575,7 +573,7 @@ ctrl_v_about = Nimmt einen Umriss aus der Zwischenablage: Pfaddaten, Koordinaten
 map = Abbildung
 mesh = Netz
 mesh_tooltip = Die Kanten des abgebildeten Netzes und seines Bildes auf der anderen Seite
-texture = Textur
+texture = Muster
 choose = Wählen…
 scale = Maßstab
 samples = Randpunkte
@@ -594,16 +592,16 @@ area = Flächen
 checker = Karos
 grid = Gitter
 polar = Polar
-image = Bild
+image = Foto
 adaptive = Adaptiv
 uniform_paper = Gleichmäßig
 graded = Abgestuft
 uniform_mesh = Gleichmäßig
-forward_tooltip = Das Netz der Quelle wird in das Ziel abgebildet
-backward_tooltip = Das Netz des Ziels wird in die Quelle abgebildet und liest dort seine Textur
+forward_tooltip = Das Netz des Urbilds wird in das Bild abgebildet
+backward_tooltip = Das Netz des Bildes wird in das Urbild abgebildet und liest dort sein Muster
 texture_tooltip = Das Muster, das die Abbildung überträgt
 angle_tooltip = Winkelverzerrung Q = σ₁/σ₂ jedes Dreiecks: 1, wo Winkel erhalten bleiben
-area_tooltip = Flächenverzerrung log₂(σ₁σ₂) jedes Dreiecks, von der Quelle zum Ziel: +1 ist die doppelte Fläche, −1 die halbe. Die Farben gehen vom Mittel aus
+area_tooltip = Flächenverzerrung log₂(σ₁σ₂) jedes Dreiecks, vom Urbild zum Bild: +1 ist die doppelte Fläche, −1 die halbe. Die Farben gehen vom Mittel aus
 checker_tooltip = Quadrate; Winkel von 90° bleiben Winkel von 90°
 lines = Linien
 polar_tooltip = Kreise und Strahlen um den inneren Punkt
@@ -624,7 +622,7 @@ problem = Problem: { $what }
 accessible_surface_map = Die Fläche { $surface }, konform abgebildet auf den Umriss { $outline }.
 accessible_map_of_surfaces = Konforme Abbildung von der Fläche { $source } auf die Fläche { $target }.
 accessible_map = Konforme Abbildung von { $source } nach { $target }.
-points_of_side = { $interior } bei ({ $place }), { $boundary } bei { $percent } % des Randes.
+points_of_side = { $interior } bei ({ $place }), { $boundary } bei { $percent } % des Randes.
 accessible_pointed = Unter dem Zeiger: { $point } geht auf { $image }, Maßstab { $scale }, Drehung { $turning } Grad.
 button = Schaltfläche
 choice = Auswahl
@@ -645,17 +643,58 @@ error_estimate = Fehler { $value }
 unresolved = unaufgelöst { $share }
 largest_q = größtes Q: { $value }
 flipped = umgeklappt { $count }
-frame_parts = Kern { $kernel } ms + Abgleich { $matching } ms + Fortsetzung { $extension } ms
-frame_times = Rechnen { $compute } ms + Zeichnen { $draw } ms
-fps = { $rate } Bilder/s
-hint_plane = Punkt ziehen · Rad: vergrößern · Datei irgendwo ablegen
-hint_surface = Punkt ziehen, oder die Fläche, um sie zu drehen · Umschalt verschiebt · Rad: vergrößern
+frame_parts = Kern { $kernel } ms + Abgleich { $matching } ms + Fortsetzung { $extension } ms
+frame_times = Rechnen { $compute } ms + Zeichnen { $draw } ms
+fps = { $rate } Bilder/s
+hint_plane = Scrollen zoomt · Dateien überall ablegen
+hint_surface = Ziehen dreht die Fläche · Umschalt verschiebt sie · Scrollen zoomt
+hint_plane_touch = Zwei Finger zoomen · Tippen zeigt das Bild eines Punktes
+hint_surface_touch = Ziehen dreht die Fläche · zwei Finger verschieben und zoomen
+
+## advanced
+
+advanced = Erweitert
+advanced_tooltip = Richtung, Verfahren, Vergleiche, Auflösung, Invarianten
+pattern = Muster
+coloring = Färbung
+extension = Fortsetzung
+kernel_heading = Kern
+solver = Löser
+explain_direction = Welche Seite in Dreiecke zerlegt und übertragen wird. Rückwärts: Jeder Punkt des Bildes sucht seinen Platz im Urbild, das hält das Muster scharf. Vorwärts: Die Dreiecke des Urbilds werden ins Bild gelegt.
+explain_extension = Zuerst wird die Abbildung auf dem Rand bestimmt. Die Fortsetzung trägt sie ins Innere, auf eine von drei Arten.
+explain_kernel = Der Kern sagt, wie viel jedes Stück des Randes von x aus zählt: die Wahrscheinlichkeit, dass ein zufälliger Weg von x dort endet. Das Integral rechnet auf dem Rand selbst, auf viele Stellen genau; die anderen rechnen auf den Dreiecken.
+explain_solver = Wie die vielen linearen Gleichungen auf den Dreiecken gelöst werden: auf einmal (Cholesky) oder schrittweise mit wenig Speicher (PCG).
+explain_through_disk = Der übliche Weg bildet beide Figuren auf eine runde Scheibe ab und geht über sie. Lange Arme schrumpfen dort zu nichts. Eingeschaltet zeigt sich, was dieser Weg verliert und die direkte Abbildung behält.
+explain_walks = Punkte, die von x₁ aus zufällig wandern, bis sie auf den Rand treffen. Wie viele auf einem Stück enden, ist sein harmonisches Maß: Die Wege prüfen die Zahlen, aus denen die Abbildung entsteht.
+explain_interpretation = Ob gerade Kanten oder eine glatte Kurve die Punkte des Umrisses verbinden, und welche von ihnen Ecken sind.
+explain_resolution = Wie viele Punkte der Rand bekommt, und wie schnell die Dreiecke zur Mitte hin wachsen. Mehr Punkte sind feiner und langsamer.
+explain_surface = Wie fein die Fläche geteilt ist. Intrinsische Delaunay-Dreiecke machen ihre Zahlen verlässlich und lassen ihre Form, wie sie ist.
+explain_plots = Drei Kurven längs des Randes: wie stark jedes Stück zählt (Poisson-Kern), die laufende Summe davon (harmonisches Maß), und welche Stelle des einen Randes zu welcher des anderen gehört (Umparametrisierung).
+
+## dots
+
+explain_x1 = x₁: ein Punkt im Inneren des Urbilds. Die Abbildung bringt ihn nach x₂. Zieh ihn: Das Bild folgt.
+explain_x2 = x₂ = f(x₁): der Punkt im Inneren des Bildes, auf den x₁ abgebildet wird. Zieh ihn, um einen anderen zu wählen.
+explain_y1 = y₁: ein Punkt auf dem Rand des Urbilds. Die Abbildung bringt ihn nach y₂. Zieh ihn am Rand entlang: Das Innere dreht sich um x₁.
+explain_y2 = y₂ = f(y₁): der Randpunkt des Bildes, auf den y₁ abgebildet wird. Zieh ihn am Rand entlang.
+
+## welcome
+
+welcome = riemap formt eine Figur in eine andere um, und alle Winkel bleiben, wie sie sind.
+take_tour = Rundgang
+draw_own = Selbst zeichnen
+open_own = Datei oder Fläche öffnen
+close_welcome = Begrüßung schließen
 
 ## top bar
 
 riemap_tooltip = Die konforme Abbildung zwischen zwei Umrissen, durch Abgleich des harmonischen Maßes
-choose_image = Bild…
-choose_image_tooltip = Ein PNG oder JPEG als Textur
+column_tooltip = Die Einstellungen wegklappen oder zurückholen (Tab: alles)
+share = Teilen
+share_link = Teilen…
+share_by_system = Teilen…
+qr_code = Der Link als QR-Code
+scan_code = Eine Kamera darauf richten: Das Handy öffnet diese Abbildung.
 plots_tooltip = Poisson-Kern, harmonisches Maß und Umparametrisierung entlang der Ränder (P)
 
 ## tour
@@ -688,11 +727,13 @@ repair = Reparieren
 ## viewport
 
 drag_dot = Punkt ziehen
-drop_for_side = Hier einen Umriss oder eine Fläche für diese Seite ablegen oder ein Bild als Textur
+drop_for_side = Hier einen Umriss oder eine Fläche für diese Seite ablegen oder ein Foto als Muster
 
 ## widgets
 
 close_message = Diese Meldung schließen
+more_words = Mehr
+fewer_words = Weniger
 
 ## window
 
@@ -719,7 +760,7 @@ gif_tooltip = Ein Umlauf der Punkte ohne Ende, in 256 Farben
 svg_tooltip = Umrisse, Linien des Musters, die Punkte, und das Netz, wo es gezeigt wird
 disks_svg_tooltip = Beide Flächen, wie sie in der Einheitskreisscheibe liegen, mit den Linien des Musters, den Punkten und den Netzen, wo sie gezeigt werden
 csv_tooltip = Eine Tabelle von Randpunkten, die aufeinander abgebildet werden: Bogenlängen, Orte, harmonisches Maß
-obj_tooltip = Wavefront OBJ: das Netz im Ziel, seine Texturkoordinaten in der Quelle
+obj_tooltip = Wavefront OBJ: das Netz im Bild, seine Texturkoordinaten im Urbild
 png = PNG
 gif = GIF
 svg = SVG
@@ -747,8 +788,8 @@ formula_boundary_values = Randwerte ({ $name }): um bis zu { $error } falsch
 edited_name = { $name } (bearbeitet)
 cauchy_green_gpu = Cauchy–Green: GPU
 cauchy_green_cpu = Cauchy–Green: CPU
-harmonic_coordinates = harmonische Koordinaten: { $percent } %
-cauchy_green_cpu_at = Cauchy–Green: CPU { $percent } %
+harmonic_coordinates = harmonische Koordinaten: { $percent } %
+cauchy_green_cpu_at = Cauchy–Green: CPU { $percent } %
 sizes = m { $boundary } · n { $interior } · vorbereitet in { $duration }
 surface_sizes_about = { $count ->
     [one] m: Randecken. n: innere Ecken. { $shown } Dreieck.
@@ -764,8 +805,8 @@ size_tooltip = m: Randpunkte. n: innere Ecken des Netzes.
 quality_tooltip = Q ist das Verhältnis der beiden Singulärwerte der Abbildung auf einem Dreieck: 1, wo Winkel erhalten bleiben. Q̄ ist sein flächengewichtetes Mittel über das Netz; das größte Q steht hier.
 flipped_tooltip = Dreiecke, deren Umlaufsinn die Abbildung umgekehrt hat. Bei einer guten Abbildung keine; wo es welche gibt, helfen mehr Randpunkte.
 frame_tooltip = Was die letzte Berechnung der Abbildung gekostet hat: Kern (harmonisches Maß: die Wahrscheinlichkeit, dass eine Irrfahrt ab x durch ein Randstück austritt), Abgleich (die Maße der Ränder werden gleich gemacht), Fortsetzung (ins Innere), und was das Zeichnen den Prozessor gekostet hat.
-source = Quelle
-target = Ziel
+source = Urbild
+target = Bild
 stage_sample = abtasten
 stage_assemble = aufstellen
 stage_order = ordnen

@@ -26,7 +26,7 @@ link_misses_outline = Der Link enthält den Umriss „{ $name }“ nicht ({ $sid
 files_not_kept = Die Sitzung wird für das nächste Mal ohne ihre Flächen und Bilder aufgehoben ({ $reason }). Als Datei gesichert bleibt alles erhalten.
 only_session_kept = Die Sitzung wird für das nächste Mal aufgehoben, aber ohne ihre Flächen, Bilder und rückgängig zu machenden Schritte ({ $reason }). Als Datei gesichert bleibt alles erhalten.
 session_not_kept = Die Sitzung wird nicht für das nächste Mal aufgehoben ({ $reason }). Stattdessen als Datei sichern.
-pasted_text_not_shown = { $reason }. Der Text wird nicht gezeigt: er hat { $bytes } Bytes, und das Feld fasst höchstens { $limit }
+pasted_text_not_shown = { $reason }. Der Text wird nicht gezeigt: er hat { $bytes } Bytes, und das Feld fasst höchstens { $limit }
 disk_stands_in = für den Umriss „{ $name }“ ({ $side }), der nicht hier ist, steht eine Scheibe
 surface_not_in_link = die Fläche „{ $name }“ ist nicht darin und reist als Datei
 image_not_in_link = das Bild ist nicht darin
@@ -67,19 +67,22 @@ page_without_canvas = Die Seite hat keine Zeichenfläche.
 no_such_row = diese Zeile gibt es nicht
 dialog_too_late = Der Browser hat seinen Dateidialog nicht geöffnet, weil der Klick zu lange her war. Die Schaltfläche noch einmal drücken.
 no_dialog = Der Dateidialog ließ sich nicht öffnen: { $reason }
+not_shared = Der Link wurde nicht geteilt: { $reason }
+link_too_long_for_code = Dieser Link hat { $bytes } Bytes, ein QR-Code fasst { $limit }: Bitte kopieren.
+link_lacks = Zu diesem Link: { $reasons }.
 
 ## geometry
 
 polygon_too_few_points = ein Umriss braucht mindestens 3 Punkte; dieser hat { $count }
 polygon_too_many_points = ein Umriss darf höchstens { $limit } Punkte haben; dieser hat { $count }
-polygon_not_finite = Punkt { $index } ist nicht endlich: ({ $x }, { $y })
-polygon_too_far_out = Punkt { $index } bei ({ $x }, { $y }) liegt zu weit draußen: Koordinaten bis { $limit } sind möglich
+polygon_not_finite = Punkt { $index } ist nicht endlich: ({ $x }; { $y })
+polygon_too_far_out = Punkt { $index } bei ({ $x }; { $y }) liegt zu weit draußen: Koordinaten bis { $limit } sind möglich
 polygon_too_small = der Umriss ist nur { $extent } breit; es müssen mindestens { $limit } sein
-polygon_repeated_point = die Punkte { $first } und { $second } sind gleich: ({ $x }, { $y })
+polygon_repeated_point = die Punkte { $first } und { $second } sind gleich: ({ $x }; { $y })
 polygon_zero_area = der Umriss schließt keine Fläche ein: Alle Punkte liegen auf einer Geraden
-polygon_folds_back = der Umriss läuft bei Punkt { $index }, ({ $x }, { $y }), auf sich selbst zurück
-polygon_edges_cross = der Umriss kreuzt sich bei ({ $x }, { $y }): die Kante nach Punkt { $first } und die nach Punkt { $second }
-polygon_edges_touch = der Umriss berührt sich bei ({ $x }, { $y }): die Kante nach Punkt { $first } und die nach Punkt { $second }
+polygon_folds_back = der Umriss läuft bei Punkt { $index }, ({ $x }; { $y }), auf sich selbst zurück
+polygon_edges_cross = der Umriss kreuzt sich bei ({ $x }; { $y }): die Kante nach Punkt { $first } und die nach Punkt { $second }
+polygon_edges_touch = der Umriss berührt sich bei ({ $x }; { $y }): die Kante nach Punkt { $first } und die nach Punkt { $second }
 
 ## outline
 
@@ -101,7 +104,7 @@ outline_file_odd_numbers = { $count ->
 outline_file_not_a_point = Punkt { $point }: { $found }; ein Punkt ist [x, y]
 outline_file_not_an_outline = dieses JSON enthält keinen Umriss ({ $found }): erwartet wird [[x, y], …], {"{"}"points": [[x, y], …]{"}"} oder GeoJSON
 outline_file_geo_json = dieses GeoJSON ist fehlerhaft: { $message }
-outline_file_ring_not_closed = Ring { $ring } ist nicht geschlossen: Er beginnt bei ({ $x }, { $y }) und endet bei ({ $end_x }, { $end_y })
+outline_file_ring_not_closed = Ring { $ring } ist nicht geschlossen: Er beginnt bei ({ $x }; { $y }) und endet bei ({ $end_x }; { $end_y })
 outline_file_svg = dieses SVG lässt sich nicht lesen ({ $message })
 outline_file_no_path = dieses SVG hat keinen Pfad
 outline_file_no_closed_path = kein Pfad dieses SVG ist geschlossen ({ $paths } offen)
@@ -158,23 +161,23 @@ trace_no_shape = im Bild wurde keine Form gefunden: die größte nimmt weniger a
 
 ## mesh
 
-mesh_self_crossing = der abgetastete Rand kreuzt sich bei ({ $x }, { $y }): mehr Randpunkte verwenden
-mesh_repeated_point = zwei Randpunkte fallen bei ({ $x }, { $y }) zusammen
+mesh_self_crossing = der abgetastete Rand kreuzt sich bei ({ $x }; { $y }): mehr Randpunkte verwenden
+mesh_repeated_point = zwei Randpunkte fallen bei ({ $x }; { $y }) zusammen
 mesh_too_few_points = ein Rand braucht mindestens 3 Punkte; dieser hat { $count }
 mesh_not_finite = Randpunkt { $index } ist nicht endlich
 mesh_not_counter_clockwise = der Rand läuft im Uhrzeigersinn oder schließt keine Fläche ein
 mesh_out_of_range = die Koordinaten des Randes sind alle null oder jenseits von 2^±300
 mesh_grading = das Wachstum der Dreiecke muss zwischen 0.01 und 1 liegen, nicht bei { $grading }
 mesh_too_many_vertices = dieses Netz hätte etwa { $estimate } innere Ecken; höchstens { $limit } werden gemacht: weniger Randpunkte oder abgestufte Dreiecke verwenden
-mesh_too_thin = der Rand ist bei ({ $x }, { $y }) zu dünn, um in doppelter Genauigkeit trianguliert zu werden
+mesh_too_thin = der Rand ist bei ({ $x }; { $y }) zu dünn, um in doppelter Genauigkeit trianguliert zu werden
 
 ## laplace
 
 laplace_structure = das Netz ist in sich widersprüchlich ({ $reason })
-laplace_degenerate = ein Dreieck bei ({ $x }, { $y }) ist zu dünn, um Winkel zu haben: mehr Randpunkte oder einen weniger engen Umriss verwenden
+laplace_degenerate = ein Dreieck bei ({ $x }; { $y }) ist zu dünn, um Winkel zu haben: mehr Randpunkte oder einen weniger engen Umriss verwenden
 laplace_degenerate_at = ein Dreieck an Ecke { $vertex } der Fläche ist zu dünn, um Winkel zu haben
 laplace_not_positive_definite = der Laplace-Operator ist an der inneren Ecke { $vertex } nicht positiv definit: Dort ist ein Dreieck entartet
-laplace_too_large = der Faktor von { $unknowns } Unbekannten braucht { $megabytes } MB, mehr als passt: weniger Randpunkte, abgestufte Dreiecke oder das iterative Verfahren verwenden
+laplace_too_large = der Faktor von { $unknowns } Unbekannten braucht { $megabytes } MB, mehr als passt: weniger Randpunkte, abgestufte Dreiecke oder das iterative Verfahren verwenden
 not_converged = das iterative Verfahren ist nicht konvergiert: Sein relatives Residuum ist { $residual }
 
 ## surface
@@ -264,7 +267,7 @@ repair_dropped_vertices = { $count ->
 }
 surface_file_malformed = { $place }: { $fault }
 topology_components = die Fläche hat { $count } Teile (Dreiecke: { $sizes }): den größten behalten
-topology_loops = die Fläche hat { $count } Randkurven, eine Scheibe hat eine ({ $loops }): alle außer der längsten füllen
+topology_loops = die Fläche hat { $count } Randkurven, eine Scheibe hat eine: alle außer der längsten füllen. Es sind { $loops }
 boundary_loop = Länge { $length } mit { $vertices } Ecken bei Ecke { $first }
 repair_filled_hole = { $triangles ->
     [one] 1 Loch wurde mit 1 Dreieck gefüllt
@@ -342,9 +345,9 @@ fault_corner_count = { $count ->
 
 ## conformal
 
-map_point_outside = der Punkt ({ $x }, { $y }) liegt nicht im abgetasteten Umriss ({ $side })
+map_point_outside = der Punkt ({ $x }; { $y }) liegt nicht im abgetasteten Umriss ({ $side })
 map_anchor_not_finite = der Randpunkt ({ $side }) ist kein endlicher Bruchteil der Bogenlänge
-table_too_large = die Tabelle von { $rows }×{ $columns } harmonischen Koordinaten braucht { $megabytes } MB, mehr als die erlaubten { $allowed } MB: etwa { $fitting_samples } Randpunkte passen, oder den adjungierten Kern verwenden, der keine Tabelle braucht
+table_too_large = die Tabelle von { $rows }×{ $columns } harmonischen Koordinaten braucht { $megabytes } MB, mehr als die erlaubten { $allowed } MB: etwa { $fitting_samples } Randpunkte passen, oder den adjungierten Kern verwenden, der keine Tabelle braucht
 map_no_point = { $triangles ->
     [one] ({ $a }, { $b }, { $c }) in Dreieck { $triangle } ist kein Punkt der Fläche, die 1 Dreieck hat
    *[other] ({ $a }, { $b }, { $c }) in Dreieck { $triangle } ist kein Punkt der Fläche, die { $triangles } Dreiecke hat
@@ -360,16 +363,16 @@ map_negative_kernel = { $edges ->
     [one] die Enden von 1 Randkante fallen zusammen: Kein innerer Weg führt vom Punkt der Fläche dorthin, oder ein zu langer, oder der Kern ist dort negativ, wie es ohne intrinsische Delaunay-Kanten sein kann
    *[other] die Enden von { $edges } Randkanten fallen zusammen: Kein innerer Weg führt vom Punkt der Fläche dorthin, oder ein zu langer, oder der Kern ist dort negativ, wie es ohne intrinsische Delaunay-Kanten sein kann
 }
-walk_start_outside = der Anfang ({ $x }, { $y }) der Irrfahrten liegt nicht im abgetasteten Umriss
+walk_start_outside = der Anfang ({ $x }; { $y }) der Irrfahrten liegt nicht im abgetasteten Umriss
 walk_no_boundary = nötig ist ein Rand aus mindestens 3 endlichen Punkten, keine zwei Nachbarn gleich
 map_not_converged = { $side }: { $reason }
 map_boundary_integral = { $side }: { $reason }
 integral_of_surface = der Integralkern ist für Umrisse: Eine Fläche wird mit finiten Elementen berechnet
 stays_few_points = er hat nur { $count } Punkte
 stays_many_corners = { $corners } seiner { $count } Punkte sind Ecken
-stays_leaves_edge = die glatte Kurve durch seine Punkte würde die Kante bei ({ $x }, { $y }) um mehr als ein Viertel ihrer Länge verlassen
-stays_crosses_itself = die glatte Kurve durch seine Punkte würde sich nahe ({ $x }, { $y }) kreuzen
-stays_path_crosses = seine Kurven kreuzen sich nahe ({ $x }, { $y })
+stays_leaves_edge = die glatte Kurve durch seine Punkte würde die Kante bei ({ $x }; { $y }) um mehr als ein Viertel ihrer Länge verlassen
+stays_crosses_itself = die glatte Kurve durch seine Punkte würde sich nahe ({ $x }; { $y }) kreuzen
+stays_path_crosses = seine Kurven kreuzen sich nahe ({ $x }; { $y })
 stays_no_curve = seine Stücke bilden keine Kurve
 equation_travels_apart = die Integralgleichung einer Seite wird getrennt von der Seite übertragen
 integral_no_curve = die Punkte des Umrisses bilden keine Kurve: Er hat eine Nadel
@@ -378,7 +381,7 @@ integral_not_meshed = Randpunkte auf der Kurve lassen sich nicht vernetzen: { $r
 integral_too_large = der Rand braucht mindestens { $needed } Unbekannte, mehr als die erlaubten { $limit }: Er hat zu viele Ecken, oder Teile liegen zu nah beieinander
 integral_not_resolved = der Rand lässt sich nicht auflösen: Teile berühren sich, oder ein Stück ist nicht glatt
 integral_singular = die Gleichungen des Randes haben keine Lösung: Kreuzt der Rand sich selbst?
-integral_not_inside = ({ $x }, { $y }) liegt nicht im Umriss
+integral_not_inside = ({ $x }; { $y }) liegt nicht im Umriss
 
 ## rational
 
@@ -393,7 +396,7 @@ formula_cancelled = abgebrochen
 zipper_too_few_points = mindestens 3 Randpunkte sind nötig, nicht { $count }
 zipper_not_finite = Randpunkt { $index } ist nicht endlich
 zipper_repeated = Randpunkt { $index } wiederholt den vorigen
-zipper_point_outside = der Punkt ({ $x }, { $y }) liegt nicht innerhalb der Kurve durch die Randpunkte
+zipper_point_outside = der Punkt ({ $x }; { $y }) liegt nicht innerhalb der Kurve durch die Randpunkte
 
 ## session
 
@@ -407,7 +410,7 @@ session_file_part_too_large = der Teil „{ $part }“ der Datei ist zu groß: h
 session_file_parts = die Datei hat zu viele Teile: höchstens { $limit }
 session_file_in_part = der Teil „{ $part }“ der Datei lässt sich nicht lesen: { $error }
 session_file_too_large = die Datei ist zu groß für eine Sitzung: höchstens { $limit } MiB
-session_file_malformed = die Datei ist keine Sitzung von riemap ({ $reason })
+session_file_malformed = das ist keine Sitzung von riemap, oder die Datei ist beschädigt. Eine andere Datei öffnen, oder den Link der Sitzung ({ $reason })
 session_file_no_session = die Datei ist keine Sitzung von riemap: Es steht kein "riemap": { $ours } darin
 session_file_version = die Datei hat das Format { $found } eines neueren riemap; dieses liest Format { $ours }
 session_file_out_of_range = die Sitzung lässt sich nicht verwenden: { $reason }
@@ -512,7 +515,7 @@ film_long = { $pictures ->
 }
 film_picture = ein Bild von { $width } × { $height } Pixeln unter anderen von anderer Größe
 film_encoder = die Animation lässt sich nicht kodieren ({ $reason })
-film_seconds = { $seconds } s: eine Animation dauert { $least } bis { $most } s
+film_seconds = { $seconds } s: eine Animation dauert { $least } bis { $most } s
 render_geometry = Ansicht { $viewport }: { $fault }
 render_surface = Fläche: { $fault }
 too_many_triangles = { $count } Dreiecke passen nicht auf das Grafikgerät

@@ -11,8 +11,8 @@ delete_tooltip = Take the selected handle away (Delete)
 finish_editing = Done
 handles_tooltip = Drag a square to reshape the outline. Double-click on the outline for another one; a right click or a long press takes one away. Arrow keys move the selected one (finely with Shift), N goes to the next; Escape ends.
 draw_around_shape_go = Draw around the shape in one go
-click_corners = Click the corners one by one
-click_points_along_curve = Click points along the curve
+click_corners = Set the corners one by one
+click_points_along_curve = Set points along the curve
 back = Back
 back_tooltip = Take the last point back (Backspace)
 close = Close
@@ -74,7 +74,6 @@ accuracy_and_convergence = Accuracy and convergence
 invariants_of = Invariants · { $side }
 compute_invariants = Compute
 invariants_explained = Numbers that no conformal map changes, each with an estimate of its error, from an integral equation on the boundary. Harmonic measure: the chance that a random walk from the interior point first meets the boundary there. Conformal radius: the size of the derivative of the map of the unit disk onto the shape with 0 to the interior point. Capacity: the radius of the disk whose outside looks the same. Modulus: the extremal distance between the arcs from mark 1 to 2 and from mark 3 to 4. Hyperbolic distance: between the interior point and the second point, of curvature −1.
-what_invariants_are = What are invariants?
 four_marks = Four marks
 four_marks_tooltip = Boundary points as fractions of the boundary's length from its first point, counter-clockwise: the measures of the arcs between them, and the modulus
 mark = mark { $number }
@@ -237,7 +236,6 @@ locked = The page's address keeps this as it is
 
 ## method
 
-method = Method
 cauchy_green_needs_plane = Cauchy's integral is one over a boundary in the plane; a surface's is in space
 exact_needs_integral = Exact images need the integral kernel on both sides: finite elements know the boundary to two or three digits only
 harmonic_for_now = harmonic for now · { $percent } %
@@ -365,8 +363,8 @@ back_plane_tooltip = Show this side's outline again
 along_boundary = { $count } along the boundary
 surface_map_tooltip = A surface's Laplacian comes from the lengths of its edges; harmonic measure on its boundary loop is matched with the other side's. Over an outline every vertex gets its place there: its texture coordinate; on another surface, a point of that
 delaunay_tooltip = Edges are flipped within the surface until all cotangent weights are positive: then harmonic measure is too, and the boundary keeps its order. The surface itself stays as it is
-surface_direction = Every point of the surface is mapped to the outline on the left
-surface_direction_right = Every point of the surface is mapped to the outline on the right
+surface_direction = Every point of the surface is mapped to the outline of the source
+surface_direction_target = Every point of the surface is mapped to the outline of the target
 surfaces_direction = Both surfaces are mapped to the unit disk; points at the same place in the disk correspond to each other
 through_disk = Through the disk
 random_walks_heading = Random walks
@@ -575,7 +573,7 @@ ctrl_v_about = Takes an outline from the clipboard: path data, coordinates, GeoJ
 map = Map
 mesh = Mesh
 mesh_tooltip = The edges of the mapped mesh, and of its image on the other side
-texture = Texture
+texture = Pattern
 choose = Choose…
 scale = Scale
 samples = Samples
@@ -648,14 +646,55 @@ flipped = flipped { $count }
 frame_parts = kernel { $kernel } ms + match { $matching } ms + extend { $extension } ms
 frame_times = frame { $compute } ms + draw { $draw } ms
 fps = { $rate } fps
-hint_plane = drag a dot · scroll to zoom · drop a file anywhere
-hint_surface = drag a dot, or the surface to turn it · shift moves it · scroll to zoom
+hint_plane = scroll to zoom · drop a file anywhere
+hint_surface = drag the surface to turn it · shift moves it · scroll to zoom
+hint_plane_touch = pinch to zoom · tap a point for its image
+hint_surface_touch = drag the surface to turn it · two fingers move it · pinch to zoom
+
+## advanced
+
+advanced = Advanced
+advanced_tooltip = Direction, method, comparisons, resolution, invariants
+pattern = Pattern
+coloring = Coloring
+extension = Extension
+kernel_heading = Kernel
+solver = Solver
+explain_direction = Which side is cut into triangles and carried over. Backward: each point of the target looks up its place in the source, which keeps the pattern sharp. Forward: the triangles of the source are moved to the target.
+explain_extension = The map is found on the boundary first. The extension carries it on into the inside, in one of three ways.
+explain_kernel = The kernel says how much each piece of the boundary counts, seen from x: the chance that a random walk from x ends there. The integral works on the boundary itself and is exact to many digits; the others work on the triangles.
+explain_solver = How the many linear equations on the triangles are solved: all at once (Cholesky), or step by step with little memory (PCG).
+explain_through_disk = The usual way maps both figures to a round disk and goes through it. Long arms shrink to nothing there. Switch it on to see what that way loses and the direct map keeps.
+explain_walks = Points that wander at random from x₁ until they meet the boundary. How many end on a piece of it is its harmonic measure: the walks check the numbers that the map is made from.
+explain_interpretation = Whether straight edges or a smooth curve join the points of the outline, and which of the points are corners.
+explain_resolution = How many points the boundary gets, and how quickly the triangles grow towards the middle. More points are finer and slower.
+explain_surface = How finely the surface is divided. Intrinsic Delaunay triangles make its numbers reliable and leave its shape alone.
+explain_plots = Three curves along the boundary: how strongly each piece counts (Poisson kernel), the running sum of that (harmonic measure), and which place of the one boundary goes to which of the other (reparameterisation).
+
+## dots
+
+explain_x1 = x₁: a point inside the source. The map carries it to x₂. Drag it: the target follows.
+explain_x2 = x₂ = f(x₁): the point inside the target to which the map carries x₁. Drag it to choose another one.
+explain_y1 = y₁: a point on the boundary of the source. The map carries it to y₂. Drag it along the boundary: the inside turns about x₁.
+explain_y2 = y₂ = f(y₁): the point on the boundary of the target to which the map carries y₁. Drag it along the boundary.
+
+## welcome
+
+welcome = riemap reshapes one figure into another, and every angle stays as it is.
+take_tour = Take the tour
+draw_own = Draw your own
+open_own = Open a file or surface
+close_welcome = Close the welcome
 
 ## top bar
 
 riemap_tooltip = The conformal map between two outlines, by matching harmonic measure
-choose_image = Image…
-choose_image_tooltip = A PNG or JPEG as the texture
+column_tooltip = Fold the controls away, or bring them back (Tab: everything)
+share = Share
+share_link = Share…
+share_by_system = Share…
+qr_code = The link as a QR code
+scan_code = Point a camera at it: the phone opens this map.
 plots_tooltip = Poisson kernel, harmonic measure and reparameterisation along the boundaries (P)
 
 ## tour
@@ -693,6 +732,8 @@ drop_for_side = Drop an outline or a surface for this side, or an image as the t
 ## widgets
 
 close_message = Close this message
+more_words = More
+fewer_words = Less
 
 ## window
 

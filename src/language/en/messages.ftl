@@ -67,6 +67,9 @@ page_without_canvas = The page has no canvas.
 no_such_row = there is no such row
 dialog_too_late = The browser did not open its dialog for files, because the click was too long ago. Press the button again.
 no_dialog = The dialog for files could not be opened: { $reason }
+not_shared = The link was not shared: { $reason }
+link_too_long_for_code = This link has { $bytes } bytes, and a QR code holds { $limit }: copy it instead.
+link_lacks = In this link, { $reasons }.
 
 ## geometry
 
@@ -263,8 +266,8 @@ repair_dropped_vertices = { $count ->
    *[other] { $count } vertices in no triangle were dropped
 }
 surface_file_malformed = { $place }: { $fault }
-topology_components = the surface has { $count } components (triangles: { $sizes }): keep the largest one
-topology_loops = the surface has { $count } boundary loops where a disk has one ({ $loops }): fill all but the longest
+topology_components = the surface has { $count } components: keep the largest one (triangles: { $sizes })
+topology_loops = the surface has { $count } boundary loops where a disk has one: fill all but the longest. They are { $loops }
 boundary_loop = length { $length } with { $vertices } vertices at vertex { $first }
 repair_filled_hole = { $triangles ->
     [one] 1 hole was filled with 1 triangle
@@ -407,7 +410,7 @@ session_file_part_too_large = the part "{ $part }" of the file is too large: { $
 session_file_parts = the file has too many parts: { $limit } are the most
 session_file_in_part = the part "{ $part }" of the file cannot be read: { $error }
 session_file_too_large = the file is too large for a session: { $limit } MiB are the most
-session_file_malformed = the file is no session of riemap: { $reason }
+session_file_malformed = this is not a session of riemap, or the file is damaged. Open another file, or the session's link instead ({ $reason })
 session_file_no_session = the file is no session of riemap: there is no "riemap": { $ours } in it
 session_file_version = the file is of format { $found }, made by a newer riemap; this one reads format { $ours }
 session_file_out_of_range = the session cannot be used: { $reason }

@@ -1,6 +1,6 @@
 //! Messages for errors in sampling and meshing a boundary, and in factoring its Laplacian.
 
-use crate::language::{Message, key};
+use crate::language::{Message, Value, key};
 use crate::laplace::{LaplaceError, NotConverged};
 use crate::mesh::MeshError;
 use crate::outline::SamplingError;
@@ -28,7 +28,7 @@ impl From<&MeshError> for Message {
             MeshError::OutOfRange => key::mesh_out_of_range().into(),
             MeshError::Grading { grading } => key::mesh_grading(*grading),
             MeshError::TooManyVertices { estimate, limit } => {
-                key::mesh_too_many_vertices(format!("{estimate:.2e}"), *limit)
+                key::mesh_too_many_vertices(Value::number(format!("{estimate:.2e}")), *limit)
             }
             MeshError::TooThin { x, y } => key::mesh_too_thin(*x, *y),
         }
@@ -49,6 +49,6 @@ impl From<&LaplaceError> for Message {
 
 impl From<&NotConverged> for Message {
     fn from(NotConverged { residual }: &NotConverged) -> Self {
-        key::not_converged(format!("{residual:.1e}"))
+        key::not_converged(Value::number(format!("{residual:.1e}")))
     }
 }

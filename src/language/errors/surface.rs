@@ -63,7 +63,7 @@ impl From<&RepairNote> for Message {
 
 impl From<&LoopReport> for Message {
     fn from(LoopReport { vertices, length, first }: &LoopReport) -> Self {
-        key::boundary_loop(format!("{length:.4}"), *vertices, *first)
+        key::boundary_loop(Value::number(format!("{length:.4}")), *vertices, *first)
     }
 }
 

@@ -21,7 +21,7 @@ keys_of_labels! {
     finite_elements_graded, ellipse_4_1, rounded_square, rectangle_10_1, accuracy_of_methods,
     accuracy_and_convergence,
     // invariants
-    compute_invariants, invariants_explained, what_invariants_are, four_marks, four_marks_tooltip, second_point,
+    compute_invariants, invariants_explained, four_marks, four_marks_tooltip, second_point,
     second_point_tooltip, computing, conformal_radius, capacity, modulus, hyperbolic_distance, marks_not_in_order,
     outline_without_curve,
     // crowding
@@ -57,7 +57,7 @@ keys_of_labels! {
     // locks
     locked,
     // method
-    method, cauchy_green_needs_plane, exact_needs_integral, harmonic, cauchy_green, exact_images, exact_images_tooltip,
+    cauchy_green_needs_plane, exact_needs_integral, harmonic, cauchy_green, exact_images, exact_images_tooltip,
     integral_kernel, adjoint_kernel, table_paper, cholesky, pcg,
     harmonic_tooltip, cauchy_green_tooltip, integral_kernel_tooltip, adjoint_kernel_tooltip, finite_elements,
     finite_elements_tooltip, surfaces_use_finite_elements, sharpening, sharpening_tooltip, error_estimate_tooltip,
@@ -83,7 +83,7 @@ keys_of_labels! {
     sixty_equal_steps, their_images,
     // panel
     vertices, intrinsic_delaunay, back_plane, back_plane_tooltip, surface_map_tooltip, delaunay_tooltip,
-    surface_direction, surface_direction_right, surfaces_direction, through_disk, random_walks_heading, this_map_had_none, under_a_hundredth_percent, clear,
+    surface_direction, surface_direction_target, surfaces_direction, through_disk, random_walks_heading, this_map_had_none, under_a_hundredth_percent, clear,
     clear_tooltip, start, pause, conformal, euclidean, in_source, in_target, off, fresh, precomputed,
     conformal_tooltip, euclidean_tooltip, in_source_tooltip, in_target_tooltip, off_tooltip, fresh_tooltip,
     precomputed_tooltip, both_tooltip, through_disk_tooltip, walks_tooltip,
@@ -127,9 +127,17 @@ keys_of_labels! {
     // accessibility
     being_prepared, button, choice, check_box, slider, text_field, selected, not_selected, not_available,
     // status
-    fps_tooltip, by_mesh, pointed_tooltip, hint_plane, hint_surface,
+    fps_tooltip, by_mesh, pointed_tooltip, hint_plane, hint_plane_touch, hint_surface, hint_surface_touch,
     // top bar
-    riemap_tooltip, choose_image, choose_image_tooltip, plots_tooltip,
+    riemap_tooltip, plots_tooltip, column_tooltip, share, share_link, share_by_system, qr_code, scan_code,
+    // welcome
+    welcome, take_tour, draw_own, open_own, close_welcome,
+    // advanced
+    advanced, advanced_tooltip, pattern, coloring, extension, kernel_heading, solver, explain_direction, explain_extension, explain_kernel,
+    explain_solver, explain_through_disk, explain_walks, explain_interpretation, explain_resolution, explain_surface,
+    explain_plots,
+    // dots
+    explain_x1, explain_x2, explain_y1, explain_y2,
     // tour
     harmonic_measure, next, end, keep_picture, keep_picture_tooltip, end_tour_tooltip, map_between_two_shapes,
     map_between_two_shapes_about, angles_stay, angles_stay_about, three_freedoms, three_freedoms_about,
@@ -139,7 +147,7 @@ keys_of_labels! {
     // viewport
     drag_dot, drop_for_side,
     // widgets
-    close_message,
+    close_message, more_words, fewer_words,
     // window
     figures, swap_waits, export, gallery, keys_and_gestures, save, paper_figures,
     // request

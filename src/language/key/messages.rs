@@ -65,7 +65,8 @@ keys_of_messages! {
     surface_travels_as_file(name); surface_preparation_stopped(reason); no_disk_coordinates(side, reason);
     through_disk_fails(side, reason); file_unreadable(cause); reading_stopped(reason);
     // platform
-    no_image(cause); too_long_to_store(characters); no_dialog(reason);
+    no_image(cause); too_long_to_store(characters); no_dialog(reason); not_shared(reason); link_too_long_for_code(bytes, limit);
+    link_lacks(reasons);
     // geometry
     polygon_too_few_points(count); polygon_too_many_points(limit, count); polygon_not_finite(index, x, y);
     polygon_too_far_out(index, x, y, limit); polygon_too_small(extent, limit);

@@ -7,7 +7,7 @@
 //! fits, so that colors do not flicker.
 
 use crate::conformal::{Direction, Histogram, TriangleDistortion};
-use crate::language::{Label, key};
+use crate::language::{Label, decimal, key, number};
 use crate::mesh::TriangleId;
 use crate::render::{CellCode, ColourMap};
 use crate::session::Colouring;
@@ -117,7 +117,7 @@ impl ColourScale {
         let mean = self.histogram.as_ref()?.mean;
         let shown = match self.colouring {
             Colouring::Area => signed((100.0 * mean).round() / 100.0),
-            _ => format!("{mean:.3}"),
+            _ => number(mean, 3),
         };
         Some(shown)
     }
@@ -168,16 +168,16 @@ fn area_range(triangles: &[TriangleDistortion], mean: f64, before: Option<f64>) 
 fn signed(value: f64) -> String {
     match value {
         0.0 => String::from("0"),
-        v if v < 0.0 => format!("−{}", -v),
-        v => format!("+{v}"),
+        v if v < 0.0 => format!("−{}", decimal(&(-v).to_string())),
+        v => format!("+{}", decimal(&v.to_string())),
     }
 }
 
 fn tick(value: f64, top: f64) -> String {
     if value == top {
-        format!("≥ {value:.1}")
+        format!("≥ {}", number(value, 1))
     } else {
-        format!("{value:.2}").trim_end_matches('0').trim_end_matches('.').into()
+        decimal(format!("{value:.2}").trim_end_matches('0').trim_end_matches('.'))
     }
 }
 

@@ -13,7 +13,7 @@ mod report;
 pub mod visits;
 
 pub use first::{KeptCopies, Start, first_session, missing_text};
-pub use report::{link_report, whole_link};
+pub use report::{lacks, link_report, whole_link};
 
 use crate::language::Message;
 use crate::session::link::MissingOutline;

@@ -5,8 +5,13 @@ use crate::language::{Message, key};
 use crate::session::link::{self, Encoded, MissingOutline};
 use crate::session::{Session, SurfaceShape, TextureKind};
 
-/// What the `encoded` link of `session` does not hold, if anything; `missing`: outlines that were never loaded.
+/// As [`lacks`], as the report of a link that was copied.
 pub fn link_report(session: &Session, encoded: &Encoded, missing: &[MissingOutline]) -> Option<Message> {
+    lacks(session, encoded, missing).map(key::link_copied_but)
+}
+
+/// What the `encoded` link of `session` does not hold, if anything; `missing`: outlines that were never loaded.
+pub fn lacks(session: &Session, encoded: &Encoded, missing: &[MissingOutline]) -> Option<Message> {
     let outlines = encoded.left_out.iter().map(Message::from).chain(encoded.shortened.iter().map(Message::from));
     let missing = missing.iter().map(|outline| key::disk_stands_in(outline.side, &outline.name));
     let surfaces = Side::BOTH.into_iter().filter_map(|side| session.surface(side));
@@ -16,7 +21,7 @@ pub fn link_report(session: &Session, encoded: &Encoded, missing: &[MissingOutli
     });
     let image = (session.texture() == TextureKind::Image).then(|| key::image_not_in_link().into());
     let all = outlines.chain(missing).chain(surfaces).chain(image);
-    Message::joined(all, key::both_clauses).map(key::link_copied_but)
+    Message::joined(all, key::both_clauses)
 }
 
 /// The link of `session` if it holds all outlines, perhaps with fewer points, and none is `missing`.

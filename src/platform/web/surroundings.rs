@@ -1,9 +1,11 @@
 //! The page around the app, which is told of changes, and full screen.
 
 use super::worker_handle::describe;
-use crate::platform::PageEvent;
+use crate::language::key;
+use crate::platform::{Event, Mailbox, PageEvent};
 use wasm_bindgen::JsValue;
-use web_sys::{CustomEvent, CustomEventInit, Document, Window};
+use wasm_bindgen_futures::JsFuture;
+use web_sys::{CustomEvent, CustomEventInit, Document, ShareData, Window};
 
 /// Whether this page is shown in a frame of another page; true if the browser does not tell.
 pub fn is_framed() -> bool {
@@ -27,6 +29,28 @@ pub fn toggle_full_screen(_context: &egui::Context) {
     {
         log::error!("the screen could not be filled: {}", describe(&error));
     }
+}
+
+/// Whether the system has a dialog of its own that shares a link.
+pub fn can_share() -> bool {
+    let navigator = web_sys::window().map(|window| window.navigator());
+    navigator.is_some_and(|navigator| js_sys::Reflect::has(&navigator, &"share".into()).unwrap_or(false))
+}
+
+/// Passes a link to the system's dialog. That it was closed without a choice is no error.
+pub fn share(address: &str, mailbox: Mailbox) {
+    let Some(window) = web_sys::window() else { return };
+    let link = ShareData::new();
+    link.set_title(&window.document().map(|document| document.title()).unwrap_or_default());
+    link.set_url(address);
+    let answer = window.navigator().share_with_data(&link);
+    wasm_bindgen_futures::spawn_local(async move {
+        let Err(error) = JsFuture::from(answer).await else { return };
+        let name = js_sys::Reflect::get(&error, &"name".into()).ok().and_then(|name| name.as_string());
+        if name.as_deref() != Some("AbortError") {
+            mailbox.post(Event::NoDialog(key::not_shared(describe(&error))));
+        }
+    });
 }
 
 /// Dispatches an event on the window, for the page's scripts.

@@ -84,7 +84,9 @@ pub enum FileError {
         error: Box<FileError>,
     },
     /// It is not JSON, or not the JSON of a session.
-    #[error("the file is no session of riemap: {0}")]
+    #[error(
+        "this is not a session of riemap, or the file is damaged. Open another file, or the session's link instead ({0})"
+    )]
     Malformed(String),
     /// It is JSON without the marker.
     #[error("the file is no session of riemap: there is no \"riemap\": {NEWEST} in it")]

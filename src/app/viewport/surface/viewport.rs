@@ -193,7 +193,7 @@ pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &OrbitView, handles:
         let handle = Handle { side, kind };
         let words = || {
             let p = point.unwrap_or_default();
-            format!("{} = ({:.3}, {:.3}, {:.3})", handle.symbol(), p.x, p.y, p.z)
+            dots::coordinates(handle, &p.to_array())
         };
         dots::paint(ui, &painter, handle, dot, handles, &words);
     }

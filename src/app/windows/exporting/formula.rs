@@ -4,7 +4,7 @@ use crate::app::theme::Palette;
 use crate::app::windows::exporting::Exporter;
 use crate::conformal::PerSide;
 use crate::export::FormulaFormat;
-use crate::language::{Message, key, say, tr};
+use crate::language::{Message, decimal, key, say, tr};
 use crate::model::export::ReadyFile;
 use crate::rational::Reached;
 use crate::session::SideState;
@@ -149,7 +149,7 @@ fn notes(name: Message, reached: Reached, digits: u32, all: &mut Vec<(Message, b
         all.push((key::formula_left_out(name), true));
         return;
     }
-    let short = |error: f64| format!("{error:.1e}");
+    let short = |error: f64| decimal(&format!("{error:.1e}"));
     let found =
         key::formula_function(name.clone(), reached.degree, reached.poles, short(reached.error), reached.digits);
     all.push((found, false));

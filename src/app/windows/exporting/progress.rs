@@ -9,7 +9,7 @@ impl Exporter {
     /// The share of the work in progress that is done, with words.
     pub(super) fn progress(&self) -> Option<(f32, String)> {
         if let Some(done) = self.formula_progress() {
-            return Some((done as f32, format!("{:.0} %", 100.0 * done)));
+            return Some((done as f32, format!("{:.0}\u{a0}%", 100.0 * done)));
         }
         let job = self.job.as_ref()?;
         let [done, all] = job.count();

@@ -232,7 +232,7 @@ fn a_finished_formula_is_a_file_and_the_window_says_what_it_reached() {
     assert!(exporter.accept_formula(&task, Finding::Progress(0.4)).is_none());
     assert_eq!(exporter.formula_progress(), Some(0.4));
     harness.run_steps(2);
-    assert!(harness.query_by_label("40 %").is_some());
+    assert!(harness.query_by_label("40\u{a0}%").is_some());
     let file = harness.state_mut().windows.exporter.accept_formula(&task, found(6, 0)).unwrap();
     assert_eq!((file.name.as_str(), file.bytes.as_slice()), ("riemap_formula.py", b"the file".as_slice()));
     harness.run_steps(3);
