@@ -25,8 +25,8 @@ const CELL: egui::Vec2 = vec2(100.0, 84.0);
 const COLUMNS: usize = 4;
 /// The height above and below the cells together, in points: two or three rows of buttons.
 const BESIDES: f32 = 260.0;
-/// The most vertices of an outline's picture: enough for its 50 points across.
-const PICTURE_POINTS: usize = 160;
+/// The most vertices of an outline's picture: the turkey's feathers lose their tips with half as many.
+const PICTURE_POINTS: usize = 360;
 
 /// A button that opens the menu of a side's shapes.
 pub fn menu_button(ui: &mut Ui, label: &str, side: Side, model: &Model, actions: &mut Actions) {

@@ -295,12 +295,22 @@ impl Plots {
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let values = marked.and_then(|at| Some(chart::values(kind.value, self.curves()?, at)));
-                for side in [Side::Target, Side::Source] {
+                // one curve belongs to both sides
+                let is_map = kind.value == PlotKind::Reparameterisation;
+                if is_map && values.is_none() {
+                    ui.label(RichText::new(tr(key::this_map())).small().color(palette.weak));
+                }
+                for side in [Side::Target, Side::Source].into_iter().filter(|_| !is_map || values.is_some()) {
                     let text = values
                         .as_ref()
                         .map_or_else(|| words::side_within(side).to_owned(), |values| values[side].clone());
                     ui.label(RichText::new(text).small().color(palette.weak));
-                    dot(ui, inks[side]);
+                    if !is_map {
+                        dot(ui, inks[side]);
+                    }
+                }
+                if is_map {
+                    dot(ui, chart::MAP_INKS[usize::from(!ui.visuals().dark_mode)][0]);
                 }
             });
         });

@@ -16,6 +16,9 @@ use crate::worker::{Finding, Study};
 use egui::{Grid, Key, RichText, ScrollArea, Ui, Window, vec2};
 use std::collections::VecDeque;
 
+/// The most characters of a column's title in one line.
+const SHORT_TITLE: usize = 8;
+
 /// Measurements per row; the row shows their median.
 const RUNS: usize = 3;
 
@@ -285,9 +288,12 @@ fn of_paper(column: Label) -> String {
     say(&key::of_paper(tr(column)))
 }
 
+/// The titles of columns; long ones take two lines, so that all columns fit into the window.
 fn header(ui: &mut Ui, titles: &[&str]) {
     for title in titles {
-        ui.label(RichText::new(*title).small().color(Palette::of(ui.visuals()).weak));
+        let long = title.chars().count() > SHORT_TITLE;
+        let lines = if long { title.replacen(", ", ",\n", 1).replacen(" (", "\n(", 1) } else { String::from(*title) };
+        ui.label(RichText::new(lines).small().color(Palette::of(ui.visuals()).weak));
     }
     ui.end_row();
 }

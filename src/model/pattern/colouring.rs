@@ -251,7 +251,8 @@ mod tests {
         for colouring in [Colouring::Angle, Colouring::Area] {
             let scale = ColourScale::new(colouring, Direction::Forward, &triangles, None).unwrap();
             let ticks = scale.ticks();
-            assert_eq!((scale.place(ticks[0].0), scale.place(ticks[4].0)), (0.0, 1.0), "{ticks:?}");
+            let ends = [scale.place(ticks[0].0), scale.place(ticks[4].0) - 1.0];
+            assert!(ends.iter().all(|off| off.abs() < 1e-12), "{ticks:?}");
         }
     }
 }

@@ -15,6 +15,7 @@ fn drawn() -> Session {
         Command::SetOutline { side: Side::Source, outline },
         Command::MoveInterior { side: Side::Source, point: DVec2::new(0.4, 0.35).into() },
         Command::SetSurface { side: Side::Target, surface: SurfaceSpec::default() },
+        Command::SetTextureScale(8.0), // the default when the format was made
     ])
 }
 

@@ -29,6 +29,11 @@ const CELLS: f64 = 8.0;
 /// The part of a half's smaller side that is filled.
 const FILLED: f64 = 0.94;
 
+/// The width of the stroke along edges, in samples: half a point.
+const EDGE: usize = DENSITY * FINE / 2;
+/// Its color: seen on a light and on a dark ground.
+const INK: [f32; 4] = [0.42, 0.44, 0.48, 1.0];
+
 /// The brightness of a triangle that is seen edge-on; one that faces the eye has brightness 1.
 const DARKEST: f64 = 0.45;
 
@@ -43,6 +48,7 @@ pub fn of(session: &Session) -> Option<ColorImage> {
             None => canvas.plane(&offscreen.geometry(side)?, half, &style),
         }
     }
+    canvas.stroke_edges();
     Some(canvas.averaged())
 }
 
@@ -172,6 +178,22 @@ impl Canvas {
                     self.pixels[at] = [light * r, light * g, light * b, 1.0];
                 }
             }
+        }
+    }
+
+    /// Strokes the edge of what is covered, inside: light cells would not be told from a light ground.
+    fn stroke_edges(&mut self) {
+        let [width, height] = self.size;
+        let is_covered = |x: usize, y: usize| self.depths[y * width + x] > f64::NEG_INFINITY;
+        let is_edge = |k: &usize| {
+            let (x, y) = (k % width, k / width);
+            let inside = x >= EDGE && y >= EDGE && x + EDGE < width && y + EDGE < height;
+            let around = || [(x - EDGE, y), (x + EDGE, y), (x, y - EDGE), (x, y + EDGE)];
+            is_covered(x, y) && !(inside && around().into_iter().all(|(x, y)| is_covered(x, y)))
+        };
+        let edges: Vec<usize> = (0..width * height).filter(is_edge).collect();
+        for k in edges {
+            self.pixels[k] = INK;
         }
     }
 
