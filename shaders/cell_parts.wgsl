@@ -55,7 +55,8 @@ fn overlay(corner: vec3<f32>, code: f32) -> vec4<f32> {
     let steepness = max(sqrt(dx * dx + dy * dy), vec3<f32>(1e-9));
     let height = 1.0 / steepness;
     let size = view.edges.size;
-    let covered = clamp(size.x + 0.5 - corner * height, vec3<f32>(0.0), vec3<f32>(1.0));
+    // on either side of an edge the same: a pixel that is partly covered has its center beyond the edge
+    let covered = clamp(size.x + 0.5 - abs(corner) * height, vec3<f32>(0.0), vec3<f32>(1.0));
     let shown = covered * smoothstep(size.yyy, size.zzz, height);
     let line = view.edges.wire.a * max(shown.x, max(shown.y, shown.z));
     let marked = select(0.0, 1.0, u32(round(code)) == FLIPPED);

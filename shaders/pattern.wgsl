@@ -55,7 +55,7 @@ fn hue(source: vec2<f32>) -> vec3<f32> {
 const FINEST: f32 = -12.0;
 const COARSEST: f32 = 6.0;
 // The part of an octave over which it fades into the next one. Outside of it cells are as crisp as in the plain pattern.
-const FADE: vec2<f32> = vec2<f32>(0.34, 0.66);
+const FADE: vec2<f32> = vec2<f32>(0.4, 0.6);
 
 // A power of two, exactly.
 fn power_of_two(exponent: f32) -> f32 {

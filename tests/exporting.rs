@@ -109,8 +109,29 @@ fn one_side_alone_fills_the_picture() {
 }
 
 #[test]
+fn a_picture_without_dots_has_none_and_is_the_same_elsewhere() {
+    let folder = folder("dots");
+    for (session, name) in [(Session::default(), "plane"), (surface_session(), "surface")] {
+        let link = link(&session);
+        let arguments = ["render", &link, "--size", "600x300"];
+        let with = written(&folder, &format!("{name}-with.png"), &arguments);
+        let without = written(&folder, &format!("{name}-without.png"), &[&arguments[..], &["--no-dots"]].concat());
+        let [with, without] = [with, without].map(|bytes| image::load_from_memory(&bytes).unwrap().into_rgba8());
+        let is_dot = |pixel: &image::Rgba<u8>| {
+            let near = |ink: [u8; 3]| pixel.0.iter().zip(ink).all(|(a, b)| a.abs_diff(b) < 6);
+            near([0, 158, 115]) || near([214, 60, 166])
+        };
+        let dots = |picture: &image::RgbaImage| picture.pixels().filter(|pixel| is_dot(pixel)).count();
+        assert!(dots(&with) > 30 && dots(&without) == 0, "{name}: {} {}", dots(&with), dots(&without));
+        let differing = with.pixels().zip(without.pixels()).filter(|(a, b)| a != b).count();
+        assert!(differing < 1500, "{name}: {differing} pixels differ");
+    }
+}
+
+#[test]
 fn requests_that_make_no_sense_are_refused() {
     let link = link(&Session::default());
+    fails(&["render", &link, "--out", "map.svg", "--no-dots"], 2, &["--no-dots"]);
     fails(&["render", &link, "--out", "map.svg", "--transparent"], 2, &["--transparent"]);
     fails(&["render", &link, "--out", "map.docx"], 2, &["extension", "svg"]);
     fails(&["render", &link, "--out", "map.png", "--side", "left"], 2, &["left"]);

@@ -242,12 +242,10 @@ fn points_outside_of_the_domains_are_reported() {
 #[test]
 fn an_outline_that_a_link_leaves_out_comes_from_a_file() {
     let folder = folder("left-out");
-    let points: Vec<DVec2> = (0..12_000)
-        .map(|k: u32| {
-            let noise = f64::from(k.wrapping_mul(2_654_435_761) >> 16) / 65536.0;
-            DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 12_000.0) * (1.0 + 0.002 * noise)
-        })
-        .collect();
+    // a slit finer than a link can tell, in a disk
+    let disk = (1..240).map(|k| DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 240.0));
+    let slit = [DVec2::new(1.0, -1e-6), DVec2::new(0.8, 0.0), DVec2::new(1.0, 1e-6)];
+    let points: Vec<DVec2> = slit.into_iter().chain(disk).collect();
     let outline = written(&folder, "rough.json", &serde_json::to_string(&points).unwrap());
     let mut session = coarse();
     session.apply(Change::SetOutline {
@@ -265,6 +263,59 @@ fn an_outline_that_a_link_leaves_out_comes_from_a_file() {
     fails(&["render", &link, "--out", &out], 1, &["rough", "--source"]);
     assert_eq!(rendered(&folder, &link, &["--source", &outline]), rendered(&folder, &saved, &[]));
     fails(&["render", &saved, "--out", &out, "--source", &outline], 2, &["--source"]);
+}
+
+#[test]
+fn an_outline_that_is_too_long_for_a_link_has_fewer_points_there() {
+    let folder = folder("shortened");
+    let points: Vec<DVec2> = (0..12_000)
+        .map(|k: u32| {
+            let noise = f64::from(k.wrapping_mul(2_654_435_761) >> 16) / 65536.0;
+            DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 12_000.0) * (1.0 + 0.002 * noise)
+        })
+        .collect();
+    let mut session = coarse();
+    let outline = OutlineSpec::points("rough".into(), points.try_into().unwrap());
+    session.apply(Change::SetOutline { side: Side::Source, outline });
+    let saved = written(&folder, "rough.riemap", &file::write(&session).unwrap());
+    let output = succeeds(&["link", &saved]);
+    let notes = String::from_utf8(output.stderr).unwrap();
+    assert!(notes.contains("\"rough\"") && notes.contains("12000 points") && notes.contains(" %"), "{notes}");
+    let link = String::from_utf8(output.stdout).unwrap();
+    assert!(link.trim().len() <= link::MAX_LENGTH && link::decode(&link).unwrap().missing.is_empty());
+}
+
+#[test]
+fn a_session_file_with_everything_is_rendered() {
+    let folder = folder("archive");
+    let surface = "v 0 0 0\nv 1 0 0\nv 2 0 0.3\nv 0 1 0\nv 1 1 0.4\nv 2 1 0\nv 0 2 0\nv 1 2 0\nv 2 2 0.2\n\
+                   f 1 2 5 4\nf 2 3 6 5\nf 4 5 8 7\nf 5 6 9 8\n";
+    let shape = SurfaceShape::File { name: "tile.obj".into() };
+    let session = coarse().and([
+        Change::SetSurface { side: Side::Target, surface: SurfaceSpec::new(shape) },
+        Change::SetTexture(TextureKind::Image),
+    ]);
+    let picture = image::RgbaImage::from_fn(8, 8, |x, y| image::Rgba([200, 30 * x as u8, 30 * y as u8, 255]));
+    let mut png = std::io::Cursor::new(Vec::new());
+    picture.write_to(&mut png, image::ImageFormat::Png).unwrap();
+    let attachment = |name: &str, bytes: Vec<u8>| file::Attachment { name: name.into(), bytes: bytes.into() };
+    let mut archive = file::Archive::from(session.clone());
+    archive.surfaces.push(attachment("tile.obj", surface.into()));
+    let checked = folder.join("checked.riemap");
+    std::fs::write(&checked, archive.write().unwrap()).unwrap();
+    archive.picture = Some(attachment("own.png", png.into_inner()));
+    let whole = folder.join("whole.riemap");
+    std::fs::write(&whole, archive.write().unwrap()).unwrap();
+    let [checked, whole] = [checked, whole].map(|path| path.display().to_string());
+    assert_ne!(rendered(&folder, &whole, &[]), rendered(&folder, &checked, &[]), "the own picture is drawn");
+    // a part that is missing is named
+    let out = folder.join("x.png").display().to_string();
+    let alone = written(&folder, "alone.riemap", &file::write(&session).unwrap());
+    fails(&["render", &alone, "--out", &out], 1, &["tile.obj"]);
+    let cut = std::fs::read(&whole).unwrap();
+    let broken = folder.join("broken.riemap");
+    std::fs::write(&broken, &cut[..cut.len() / 2]).unwrap();
+    fails(&["render", &broken.display().to_string(), "--out", &out], 1, &["broken.riemap", "damaged"]);
 }
 
 #[test]

@@ -41,7 +41,11 @@ impl RiemapApp {
             Action::Session(command) => self.command(command, context.input(|input| input.time)),
             Action::Undo => self.step(Persistence::undo),
             Action::Redo => self.step(Persistence::redo),
-            Action::New => self.open_session(Session::default()),
+            Action::New => {
+                self.begin_visit();
+                self.open_session(Session::default());
+            }
+            Action::OpenKept(id) => self.open_kept(&id),
             Action::OpenSession => self.pick_file(FilePurpose::Session),
             Action::SaveSession => self.save_session(),
             Action::CopyLink => self.copy_link(context),

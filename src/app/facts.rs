@@ -24,6 +24,7 @@ impl RiemapApp {
             playing: self.player.is_playing(),
             cauchy_green: self.cauchy_green(),
             pointed: self.pictures.pointed,
+            image: self.pictures.image.as_ref().map(|image| image.file.name.clone()),
             handles: self.handle_positions(),
             editing: editing::stats(&self.editor, &self.pictures.views),
             plots: PlotStats {

@@ -150,7 +150,11 @@ impl RiemapApp {
     /// Sends due requests to the workers. It follows the update of the map, so that an outline being
     /// dragged is prepared again in the frame that shows it.
     fn send_requests(&mut self, context: &egui::Context, now: f64) {
+        self.replace_silent_workers();
         self.workers.send_due(&mut self.model, now);
+        if let Some(delay) = self.workers.silent_in() {
+            context.request_repaint_after_secs(delay as f32);
+        }
         if let Some(due) = self.model.next_due() {
             context.request_repaint_after_secs((due - now).max(0.0) as f32);
         } else if !self.is_resting(now) && self.model.is_mapped() && !self.model.is_ready() {
@@ -266,7 +270,7 @@ impl RiemapApp {
 
     /// Uploads, and requests another frame, because the status line was laid out before the change. That frame is
     /// delayed: with a software renderer, it would otherwise postpone the display of this one.
-    fn show_changes(&mut self, context: &egui::Context, changes: Changes) {
+    pub(super) fn show_changes(&mut self, context: &egui::Context, changes: Changes) {
         context.request_repaint_after_secs(WORDS_FOLLOW_AFTER);
         if let Some(gpu) = &mut self.pictures.gpu
             && !gpu.upload(&self.model, changes)

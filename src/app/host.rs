@@ -41,6 +41,10 @@ impl Host for RiemapApp {
         Self::new(creation, startup)
     }
 
+    fn reopen(&mut self, creation: &eframe::CreationContext<'_>) {
+        self.take_graphics(creation);
+    }
+
     fn avoids_webgpu() -> bool {
         address_options().webgl
     }

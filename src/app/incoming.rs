@@ -16,6 +16,7 @@ use crate::model::side::opened_file::Origin;
 use crate::model::side::user_error::UserError;
 use crate::outline::Outline;
 use crate::platform::{self, Event};
+use crate::session::file::Attachment;
 use crate::session::{Command, TextureKind, Touched};
 use crate::worker::{Finding, Response, Study};
 use std::sync::Arc;
@@ -34,10 +35,7 @@ impl RiemapApp {
             }
             match event {
                 Event::Worker { side, generation, response } => self.take_answer(side, generation, response),
-                Event::WorkerDied { side, generation, reason } => {
-                    self.model.worker_died(side, generation, &reason);
-                    self.take_arrived();
-                }
+                Event::WorkerDied { side, generation, reason } => self.take_death(side, generation, &reason),
                 Event::Found { study, finding } => self.take_finding(&study, finding),
                 Event::File { purpose, name, bytes } => self.open_file(purpose, &name, bytes),
                 Event::Link(address) => {
@@ -47,8 +45,13 @@ impl RiemapApp {
                         self.correct_address();
                     }
                 }
+                Event::GoneTo(id) => self.go_to_visit(id),
+                Event::Visited { id, kept } => self.take_visit(&id, kept),
+                Event::Kept(result) => self.take_kept(result),
                 Event::GraphicsLost(reason) => self.messages.common = Some(presentation::graphics_lost(&reason)),
-                Event::Image { purpose, name, pixels } => self.take_image(purpose, name, pixels),
+                Event::Image { purpose, name, file, pixels } => {
+                    self.take_image(purpose, Attachment { name, bytes: file }, pixels);
+                }
                 Event::NoDialog(reason) => self.messages.common = Some(reason),
                 Event::NotSaved { name, reason } => self.messages.common = Some(key::not_saved(name, reason)),
             }
@@ -68,8 +71,24 @@ impl RiemapApp {
         }
     }
 
+    /// A worker died: the first time its request is sent again.
+    fn take_death(&mut self, side: Side, generation: Option<u64>, reason: &Message) {
+        if !self.workers.repeat(side, generation) {
+            self.model.worker_died(side, generation, reason);
+            self.take_arrived();
+        }
+    }
+
+    /// Replaces workers that hang.
+    pub(super) fn replace_silent_workers(&mut self) {
+        for (side, generation) in self.workers.stop_silent() {
+            self.take_death(side, Some(generation), &key::worker_silent().into());
+        }
+    }
+
     /// The one place that takes the workers' responses; the model drops stale ones.
     fn take_answer(&mut self, side: Side, generation: u64, response: Response) {
+        self.workers.hear(side, generation, &response);
         self.model.accept(side, generation, response);
         self.take_arrived();
     }
@@ -86,9 +105,9 @@ impl RiemapApp {
             }
             // the change began when the file was opened
             Some(Arrived::Surface) => self.end_tour(),
-            Some(Arrived::Session(session, later)) => {
+            Some(Arrived::Session(archive, later)) => {
                 self.messages.common = None;
-                self.open_session(*session);
+                self.open_archive(*archive);
                 self.model.open_later(later);
             }
             Some(Arrived::NoSession(message)) => self.messages.common = Some(message),
@@ -133,7 +152,7 @@ impl RiemapApp {
                     FileKind::Trace(_) => tracing::MAX_SIDE,
                     _ => self.pictures.gpu.as_ref().map_or(2048, Gpu::max_texture_side),
                 };
-                platform::decode_image(purpose, name.to_owned(), bytes, limit, self.workers.mailbox.clone());
+                platform::decode_image(purpose, name.to_owned(), Arc::new(bytes), limit, self.workers.mailbox.clone());
             }
         }
     }
@@ -147,7 +166,8 @@ impl RiemapApp {
     }
 
     /// Processes a decoded image, or the error of its decoding.
-    fn take_image(&mut self, purpose: FilePurpose, name: String, pixels: Result<image::RgbaImage, Message>) {
+    fn take_image(&mut self, purpose: FilePurpose, file: Attachment, pixels: Result<image::RgbaImage, Message>) {
+        let name = file.name.clone();
         let pixels = match pixels {
             Ok(pixels) => pixels,
             Err(reason) => {
@@ -159,10 +179,13 @@ impl RiemapApp {
         if let FileKind::Trace(side) = FileKind::of(purpose, &picture.name) {
             return self.take_traced(side, files::traced(&picture));
         }
+        if purpose == FilePurpose::OfSession {
+            return self.show_image(picture, file);
+        }
         let side = if let FilePurpose::Dropped(side) = purpose { side } else { Side::Source };
         self.messages.offer = Some(Offer::new(side, &picture));
         self.end_tour(); // the texture replaces the tour's picture
-        self.use_image(picture);
+        self.use_image(picture, file);
     }
 
     /// Traces the picture that was last set as the texture.
@@ -184,7 +207,7 @@ impl RiemapApp {
     }
 
     /// Whether no lock keeps a file or a link from changing these parts of the session; if one does, a message says so.
-    fn may(&mut self, touched: Touched) -> bool {
+    pub(super) fn may(&mut self, touched: Touched) -> bool {
         let held = self.options.locks.keeps(touched);
         if let Some(control) = held {
             self.refuse(control);
@@ -197,16 +220,24 @@ impl RiemapApp {
         self.messages.common = Some(key::address_keeps(control.name()));
     }
 
-    pub(super) fn use_image(&mut self, picture: Picture) {
+    /// Makes a picture the texture.
+    pub(super) fn use_image(&mut self, picture: Picture, file: Attachment) {
+        self.show_image(picture, file);
+        if self.pictures.image.is_some() {
+            let touched = self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
+            self.begin_change(touched);
+            self.persistence.note_files();
+        }
+    }
+
+    /// Makes a picture the one that is shown where the texture is an image; the session does not change.
+    fn show_image(&mut self, picture: Picture, file: Attachment) {
         let (width, height) = picture.pixels.dimensions();
         let used =
             self.pictures.gpu.as_ref().map_or(Ok(()), |gpu| gpu.set_image(picture.pixels.as_raw(), width, height));
         match used {
             Ok(()) => {
-                let Picture { name, pixels } = picture;
-                self.pictures.image = Some(TextureImage { name, pixels: Arc::new(pixels) });
-                let touched = self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
-                self.begin_change(touched);
+                self.pictures.image = Some(TextureImage { file, pixels: Arc::new(picture.pixels) });
             }
             Err(error) => self.messages.common = Some(key::about(picture.name, Message::from(&error))),
         }
@@ -366,10 +397,10 @@ mod tests {
         let mut harness = ready_app([1200.0, 800.0]);
         let context = harness.ctx.clone();
         let app = harness.state_mut();
-        // too many points for a link, without a pattern that could be compressed
-        let jagged = |k: u32| 1.0 + 0.2 * f64::from(k * 7919 % 1000) / 1000.0;
-        let points: Vec<_> =
-            (0..6000).map(|k| jagged(k) * crate::geometry::DVec2::from_angle(f64::from(k) * 1e-3)).collect();
+        // a spike finer than a link can tell
+        let spike =
+            [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
+        let points = spike.map(crate::geometry::DVec2::from).to_vec();
         let mut session = app.session().clone();
         let outline = crate::session::OutlineSpec::points("big".into(), points.try_into().unwrap());
         session.apply(Command::SetOutline { side: Side::Source, outline });

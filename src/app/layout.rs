@@ -140,7 +140,7 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
 }
 
 fn column(app: &RiemapApp, in_sheet: bool) -> Column<'_> {
-    let image_name = app.pictures.image.as_ref().map(|image| image.name.as_str());
+    let image_name = app.pictures.image.as_ref().map(|image| image.file.name.as_str());
     Column { image_name, advanced: app.screen.preferences.habits.advanced, in_sheet }
 }
 

@@ -35,6 +35,7 @@ mod startup;
 mod status;
 mod theme;
 mod viewport;
+mod visits;
 mod windows;
 mod workers;
 
@@ -45,7 +46,7 @@ pub use status::stats::Stats;
 
 use crate::model::motion::Player;
 use crate::model::persistence::Persistence;
-use crate::model::{Model, pattern};
+use crate::model::{Changes, Model, pattern};
 use crate::platform;
 use crate::render::TextureStyle;
 use crate::session::Session;
@@ -90,20 +91,26 @@ impl RiemapApp {
         startup: Startup,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         theme::install(&creation.egui_ctx);
-        let Startup { model, resumes, missing, message, preferences, workers } = startup;
+        let Startup { model, steps, picture, visits, resumes, missing, message, preferences, workers } = startup;
         let options = host::address_options();
         let preferences = presentation::install(&creation.egui_ctx, preferences, &options);
         workers.mailbox.attach(&creation.egui_ctx);
         if let Some(state) = &creation.wgpu_render_state {
             platform::watch_graphics(&state.device, workers.mailbox.clone());
         }
-        let mut persistence = Persistence::new(model.session().clone(), resumes);
-        persistence.open_link(missing, platform::link());
+        let mut persistence = if let Some(steps) = steps {
+            Persistence::resume(steps, resumes)
+        } else {
+            let mut persistence = Persistence::new(model.session().clone(), resumes);
+            persistence.open_link(missing, platform::link());
+            persistence
+        };
+        persistence.visits = visits;
         let mut windows = Windows::default();
         if options.bench {
             windows.reports.open(Report::Bench);
         }
-        Ok(Self {
+        let app = Self {
             model,
             workers,
             input: Input::after(preferences.habits),
@@ -118,7 +125,31 @@ impl RiemapApp {
             persistence,
             options,
             last_change: 0.0,
-        })
+        };
+        if let Some(picture) = picture {
+            app.load_image(picture);
+        }
+        Ok(app)
+    }
+
+    /// Continues on the graphics device of `creation`, in place of one that was lost: everything on the screen is uploaded
+    /// again; sides, map and undo steps are as they were. A picture that is being exported is abandoned, since its
+    /// pixels were on the former device.
+    fn take_graphics(&mut self, creation: &eframe::CreationContext<'_>) {
+        let context = &creation.egui_ctx;
+        theme::install(context);
+        self.options.locks.install(context);
+        context.set_zoom_factor(self.screen.zoom);
+        self.screen.preferences.apply(context);
+        self.workers.mailbox.attach(context);
+        if let Some(state) = &creation.wgpu_render_state {
+            platform::watch_graphics(&state.device, self.workers.mailbox.clone());
+        }
+        self.windows.exporter.cancel();
+        self.windows.explore.forget_thumbnails();
+        self.input.handles.release();
+        self.pictures.renew(creation.wgpu_render_state.clone().map(Gpu::new));
+        self.show_changes(context, Changes { meshes: true, map: true, images: true });
     }
 
     /// The session that the map on the screen is computed from.

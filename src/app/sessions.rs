@@ -3,11 +3,15 @@
 use super::RiemapApp;
 use super::messages::Notice;
 use crate::app::input::action::{Actions, ShareAction};
+use crate::app::input::locks::Control;
+use crate::app::viewport::gpu::Gpu;
 use crate::app::windows::share::SharedLink;
 use crate::language::{Message, key};
+use crate::model::files::FilePurpose;
 use crate::model::persistence;
 use crate::model::persistence::Persistence;
-use crate::platform::{self, Kept, PageEvent};
+use crate::platform::{self, PageEvent};
+use crate::session::file::{Archive, Attachment};
 use crate::session::{Command, Session, file, link};
 
 impl RiemapApp {
@@ -29,11 +33,44 @@ impl RiemapApp {
         self.workers.mailbox.wake();
     }
 
+    /// The session with its undo steps and the files that it uses.
+    pub(super) fn archive(&self) -> Archive {
+        let mut history = self.persistence.history().clone();
+        history.settle(self.model.session());
+        let picture = self.pictures.image.as_ref().map(|image| image.file.clone());
+        let is_used = history.shows_image();
+        self.model.archive(history, picture.filter(|_| is_used))
+    }
+
+    /// Opens the session of a file as the next step, with the steps and the files that it comes with. If sessions are
+    /// locked, it is opened as [`Self::open_session`] does.
+    pub(super) fn open_archive(&mut self, mut archive: Archive) {
+        self.model.keep_files(&mut archive);
+        if let Some(picture) = archive.picture.take() {
+            self.load_image(picture);
+        }
+        let session = archive.session().clone();
+        if self.options.locks.holds(Control::Session) {
+            return self.open_session(session);
+        }
+        self.end_tour();
+        self.begin_visit();
+        let at_rest = self.model.is_mapped().then(|| self.model.session());
+        self.persistence.continue_with(archive.history, at_rest);
+        self.show_session(session);
+    }
+
+    /// Decodes the own picture of a session.
+    pub(super) fn load_image(&self, Attachment { name, bytes }: Attachment) {
+        let limit = self.pictures.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
+        platform::decode_image(FilePurpose::OfSession, name, bytes, limit, self.workers.mailbox.clone());
+    }
+
     pub(super) fn save_session(&mut self) {
-        match file::write(self.model.session()) {
-            Ok(text) => {
+        match self.archive().write() {
+            Ok(bytes) => {
                 let name = format!("map.{}", file::EXTENSION);
-                platform::save_file(&name, text.into_bytes(), self.workers.mailbox.clone());
+                platform::save_file(&name, bytes, self.workers.mailbox.clone());
             }
             Err(error) => self.messages.common = Some(key::session_not_saved(Message::from(&error))),
         }
@@ -104,6 +141,7 @@ impl RiemapApp {
     /// Opens the session of another link; the error is the reason why the link cannot be opened.
     pub fn try_link(&mut self, address: &str) -> Result<(), Message> {
         let decoded = link::decode(address).map_err(|error| Message::from(&error))?;
+        self.begin_visit();
         self.messages.common = persistence::missing_text(&decoded.missing);
         self.open_session(decoded.session);
         self.persistence.open_link(decoded.missing, platform::link());
@@ -130,11 +168,8 @@ impl RiemapApp {
         if is_news {
             platform::tell_page(PageEvent::Session, "");
         }
-        if let Some(Err(reason)) = settled.copy.map(|text| platform::remember(Kept::Session, &text))
-            && let Some(message) = self.persistence.not_kept(reason)
-        {
-            self.messages.common = Some(message);
-            context.request_repaint();
+        if let Some(text) = settled.copy {
+            self.store(&text, context);
         }
         if let Some(seconds) = settled.copy_due {
             context.request_repaint_after_secs(seconds as f32);

@@ -3,15 +3,21 @@
 use crate::app::input::preferences::Preferences;
 use crate::app::workers::Workers;
 use crate::language::{self, Message};
-use crate::model::persistence::Start;
+use crate::model::persistence::visits::Visits;
+use crate::model::persistence::{KeptCopies, Start};
 use crate::model::{Model, persistence};
 use crate::platform::{self, Kept, Mailbox};
-use crate::session::Session;
+use crate::session::file::{Archive, Attachment};
 use crate::session::link::MissingOutline;
+use crate::session::{History, Session};
 
 /// The parts of the app that need no screen: the session's state and the workers.
 pub struct Startup {
     pub(super) model: Model,
+    /// The undo steps of the last run, and its own picture.
+    pub(super) steps: Option<History>,
+    pub(super) picture: Option<Attachment>,
+    pub(super) visits: Visits,
     /// Whether the session is the stored one of the last run, and is stored for the next.
     pub(super) resumes: bool,
     /// The outlines that the session's link contains by name only.
@@ -24,9 +30,23 @@ pub struct Startup {
 impl Startup {
     /// Starts the preparations of `session`, which run while the graphics initialize.
     pub fn start(session: Session) -> Self {
-        let (mut model, mut workers) = (Model::new(session), Workers::start());
+        Self::with(Model::new(session))
+    }
+
+    fn with(mut model: Model) -> Self {
+        let mut workers = Workers::start();
         workers.send_due(&mut model, 0.0);
-        Self { model, resumes: false, missing: Vec::new(), message: None, preferences: Preferences::fixed(), workers }
+        Self {
+            model,
+            steps: None,
+            picture: None,
+            visits: Visits::default(),
+            resumes: false,
+            missing: Vec::new(),
+            message: None,
+            preferences: Preferences::fixed(),
+            workers,
+        }
     }
 
     /// As [`Self::start`], with the session and the preferences from the address or the last run; an
@@ -35,9 +55,20 @@ impl Startup {
         let preferences = Preferences::remembered();
         // the language of the screen is set first: it also applies to errors of the graphics
         language::set(preferences.with(&crate::app::host::address_options()).language());
-        let Start { session, missing, message } =
-            persistence::first_session(platform::link().as_deref(), platform::remembered(Kept::Session).as_deref());
-        Self { missing, message, resumes: true, preferences, ..Self::start(session) }
+        let (record, listed) = platform::first_kept();
+        let text = platform::remembered(Kept::Session);
+        let kept = KeptCopies { text: text.as_deref(), record: record.map(|record| record.archive()) };
+        let Start { mut archive, is_kept, missing, message } =
+            persistence::first_session(platform::link().as_deref(), kept);
+        // another tab has a visit of its own, so that none overwrites the other's
+        let current = platform::visit().or_else(platform::new_visit);
+        if let Some(id) = current.as_deref().filter(|_| platform::visit().is_none()) {
+            platform::begin_visit(id);
+        }
+        let model = Model::of_archive(&mut archive);
+        let Archive { history, picture, .. } = archive;
+        let (steps, visits) = (is_kept.then_some(history), Visits::new(current, listed));
+        Self { steps, picture, visits, missing, message, resumes: true, preferences, ..Self::with(model) }
     }
 
     /// The sending end of the app's event channel.

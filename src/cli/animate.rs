@@ -5,11 +5,12 @@ use super::arguments::{AnimateArguments, PathArgument, SideArgument, ThemeArgume
 use super::output::{check_paths, write_all};
 use super::picture::failed;
 use super::progress::Progress;
-use super::render::offscreen;
+use super::render::{Loaded, load};
 use crate::conformal::{PerSide, Side};
 use crate::family::{Loop, Path};
 use crate::model::scene::{Offscreen, Shot};
 use crate::render::{Film, FilmFormat, FilmSettings, Studio};
+use image::RgbaImage;
 
 /// Renders the animation and writes it.
 pub fn run(arguments: &AnimateArguments) -> Result<(), CliError> {
@@ -20,10 +21,11 @@ pub fn run(arguments: &AnimateArguments) -> Result<(), CliError> {
         size: settings.size,
         dark: arguments.theme == ThemeArgument::Dark,
         transparent: arguments.transparent,
+        dots: !arguments.no_dots,
         side: arguments.side.and_then(SideArgument::side),
     };
     let progress = Progress::new("reading");
-    let offscreen = offscreen(&arguments.session, &shot, &progress)?;
+    let Loaded { offscreen, image } = load(&arguments.session, &shot, &progress)?;
     let way = offscreen.way(path(arguments.path)).ok_or_else(|| {
         let (name, side) = if arguments.path == PathArgument::Interior {
             ("interior", Side::Source)
@@ -33,7 +35,9 @@ pub fn run(arguments: &AnimateArguments) -> Result<(), CliError> {
         CliError::Usage(format!("--path {name}: the {side} is a surface, whose point is not moved along a loop"))
     })?;
     progress.enter("the animation");
-    let bytes = Making { film, frames: settings.frames, shot: &shot, progress: &progress }.make(offscreen, &way)?;
+    let image = image.as_ref();
+    let bytes =
+        Making { film, frames: settings.frames, shot: &shot, image, progress: &progress }.make(offscreen, &way)?;
     write_all(&[(arguments.out.clone(), bytes)])
 }
 
@@ -60,6 +64,7 @@ struct Making<'a> {
     film: Film,
     frames: u32,
     shot: &'a Shot,
+    image: Option<&'a RgbaImage>,
     progress: &'a Progress,
 }
 
@@ -72,7 +77,7 @@ impl Making<'_> {
             offscreen.go(way.at(f64::from(k) / f64::from(self.frames))).map_err(|error| input(&error))?;
             let picture = studio
                 .shoot(|renderer, device, queue| {
-                    offscreen.draw(renderer, (device, queue), self.shot, None, PerSide::default())
+                    offscreen.draw(renderer, (device, queue), self.shot, self.image, PerSide::default())
                 })
                 .map_err(|error| failed(&error))?;
             self.film.push(&picture).map_err(|error| input(&error))?;

@@ -164,6 +164,9 @@ pub struct RenderArguments {
     /// Write a .png with a transparent background.
     #[arg(long)]
     pub transparent: bool,
+    /// Write a .png without the dots of interior and boundary points.
+    #[arg(long)]
+    pub no_dots: bool,
     /// Draw only this side in a .png or .svg [default: both, side by side].
     #[arg(long)]
     pub side: Option<SideArgument>,
@@ -196,6 +199,9 @@ pub struct AnimateArguments {
     /// Make the background transparent.
     #[arg(long)]
     pub transparent: bool,
+    /// Leave out the dots of interior and boundary points.
+    #[arg(long)]
+    pub no_dots: bool,
     /// Draw only this side [default: both, side by side].
     #[arg(long)]
     pub side: Option<SideArgument>,

@@ -17,7 +17,7 @@ pub fn png(panels: &[Panel<'_>; 2], cells: f64, size: [u32; 2]) -> Result<Vec<u8
         pole: panels[0].handles[0],
         dark: true,
     };
-    let radius_px = 0.011 * size[0].min(2 * size[1]) as f32;
+    let radius_px = Some(0.011 * size[0].min(2 * size[1]) as f32);
     let look = Look { style, background: background(true), image: None, stroke: None, radius_px };
     let parts = panels.map(|panel| ScenePart::Plane(PlanarPart { panel, cells: None }));
     let picture = compose(&parts, &look, size, |scene| {

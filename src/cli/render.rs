@@ -12,24 +12,29 @@ use crate::export::FileFormat;
 use crate::model::export::FileRequest;
 use crate::model::scene::{Doing, Offscreen, Shot, SurfaceFiles};
 use crate::render::Studio;
+use crate::session::file::Attachment;
 use crate::session::link::{Decoded, MissingOutline, decode, encode as link_of, is_link};
 use crate::session::{Command, Session, SurfaceShape, SurfaceSpec, TextureKind, file};
 use crate::surface::{MAX_BYTES, names_format};
+use image::RgbaImage;
 use std::path::Path;
 
 /// Renders a session and writes the file.
 pub fn run(arguments: &RenderArguments) -> Result<(), CliError> {
     check_paths(std::slice::from_ref(&arguments.out))?;
     let format = Format::of(&arguments.out)?;
+    if format != Format::Picture && arguments.no_dots {
+        return Err(CliError::Usage(String::from("--no-dots: only a .png is drawn without them")));
+    }
     if format != Format::Picture && arguments.transparent {
         return Err(CliError::Usage(String::from("--transparent: only a .png has a ground")));
     }
     let shot = shot(arguments);
     let progress = Progress::new("reading");
-    let offscreen = offscreen(&arguments.session, &shot, &progress)?;
+    let Loaded { offscreen, image } = load(&arguments.session, &shot, &progress)?;
     progress.enter(arguments.out.display().to_string());
     let bytes = match format {
-        Format::Picture => picture(&offscreen, &shot)?,
+        Format::Picture => picture(&offscreen, image.as_ref(), &shot)?,
         Format::File(format) => {
             let request = FileRequest { format, side: shot.side, unit: true };
             offscreen.file(request).map_err(|error| CliError::Input(error.to_string()))?.bytes
@@ -61,14 +66,24 @@ fn shot(arguments: &RenderArguments) -> Shot {
         size: arguments.size.0,
         dark: arguments.theme == ThemeArgument::Dark,
         transparent: arguments.transparent,
+        dots: !arguments.no_dots,
         side: arguments.side.and_then(SideArgument::side),
     }
 }
 
+/// A session with its map.
+pub struct Loaded {
+    /// The session and its map.
+    pub offscreen: Offscreen,
+    /// The own picture that its file holds.
+    pub image: Option<RgbaImage>,
+}
+
 /// Loads the session that the arguments name and computes its map.
-pub fn offscreen(arguments: &SessionArguments, shot: &Shot, progress: &Progress) -> Result<Offscreen, CliError> {
-    let mut session = with_files(open(&arguments.link)?, arguments)?;
-    let surfaces = surface_files(&mut session, arguments)?;
+pub fn load(arguments: &SessionArguments, shot: &Shot, progress: &Progress) -> Result<Loaded, CliError> {
+    let Opened { decoded, files, picture } = open(&arguments.link)?;
+    let mut session = with_files(decoded, arguments)?;
+    let surfaces = surface_files(&mut session, arguments, &files)?;
     let offscreen = Offscreen::telling(&session, surfaces, shot.pixels_per_point(), &mut |doing| match doing {
         Doing::PreparingOutline(side, stage) => progress.preparing(&format!("the {side}"))(stage),
         Doing::PreparingSurface(side, stage) => progress.preparing(&format!("the {side}'s surface"))(stage),
@@ -76,38 +91,60 @@ pub fn offscreen(arguments: &SessionArguments, shot: &Shot, progress: &Progress)
     });
     let offscreen = offscreen.map_err(|error| CliError::Input(error.to_string()))?;
     say_moved(&session, &offscreen);
-    if offscreen.session().texture() == TextureKind::Image {
-        eprintln!("riemap: images do not travel with sessions: a checkerboard stands in");
+    let image =
+        picture.filter(|_| offscreen.session().texture() == TextureKind::Image).map(|file| decoded_image(&file));
+    let image = image.transpose()?;
+    if offscreen.session().texture() == TextureKind::Image && image.is_none() {
+        eprintln!("riemap: there is no image in the session: a checkerboard stands in");
     }
-    Ok(offscreen)
+    Ok(Loaded { offscreen, image })
 }
 
-fn picture(offscreen: &Offscreen, shot: &Shot) -> Result<Vec<u8>, CliError> {
+/// The picture of a session's file.
+fn decoded_image(file: &Attachment) -> Result<RgbaImage, CliError> {
+    let decoded = image::load_from_memory(&file.bytes);
+    decoded.map(image::DynamicImage::into_rgba8).map_err(|error| CliError::Input(format!("{}: {error}", file.name)))
+}
+
+fn picture(offscreen: &Offscreen, image: Option<&RgbaImage>, shot: &Shot) -> Result<Vec<u8>, CliError> {
     let mut studio = Studio::new().map_err(|error| failed(&error))?;
     let picture = studio
-        .shoot(|renderer, device, queue| offscreen.draw(renderer, (device, queue), shot, None, PerSide::default()));
+        .shoot(|renderer, device, queue| offscreen.draw(renderer, (device, queue), shot, image, PerSide::default()));
     encode(&picture.map_err(|error| failed(&error))?)
 }
 
 /// Prints the link of a session's file.
 pub fn link(arguments: &LinkArguments) -> Result<(), CliError> {
-    let Decoded { session, missing } = open(&arguments.session)?;
+    let Decoded { session, missing, .. } = open(&arguments.session)?.decoded;
     refuse_missing(&missing)?;
     let encoded = link_of(&session).map_err(|error| CliError::Input(error.to_string()))?;
     for outline in &encoded.left_out {
         eprintln!("riemap: {outline}");
     }
+    for outline in &encoded.shortened {
+        eprintln!("riemap: {outline}");
+    }
     print(&encoded.fragment)
 }
 
+/// What a link or a session's file holds.
+struct Opened {
+    decoded: Decoded,
+    /// The files of surfaces.
+    files: Vec<Attachment>,
+    picture: Option<Attachment>,
+}
+
 /// Opens a link or a session's file.
-fn open(link: &str) -> Result<Decoded, CliError> {
+fn open(link: &str) -> Result<Opened, CliError> {
     if is_link(link) {
-        return decode(link).map_err(|error| CliError::Input(error.to_string()));
+        let decoded = decode(link).map_err(|error| CliError::Input(error.to_string()))?;
+        return Ok(Opened { decoded, files: Vec::new(), picture: None });
     }
-    let bytes = read_file(link, file::MAX_BYTES)?;
-    let session = file::read(&bytes).map_err(|error| CliError::Input(format!("{link}: {error}")))?;
-    Ok(Decoded { session, missing: Vec::new() })
+    let bytes = read_file(link, file::MAX_ARCHIVE_BYTES)?;
+    let archive = file::read_archive(&bytes).map_err(|error| CliError::Input(format!("{link}: {error}")))?;
+    let decoded = Decoded::complete(archive.session().clone());
+    Ok(Opened { decoded, files: archive.surfaces, picture: archive.picture })
 }
 
 /// Loads the outlines that the link only names.
@@ -127,10 +164,18 @@ fn with_files(decoded: Decoded, arguments: &SessionArguments) -> Result<Session,
     Ok(session)
 }
 
-/// Reads the files of the surfaces. A file's name determines its format and appears in errors; if it
+/// The files of the surfaces: those that are given, else those `within` the session's file. A file's name determines its format and appears in errors; if it
 /// has no known extension, the file name stored in the session is used instead.
-fn surface_files(session: &mut Session, arguments: &SessionArguments) -> Result<SurfaceFiles, CliError> {
-    let mut files = SurfaceFiles::default();
+fn surface_files(
+    session: &mut Session,
+    arguments: &SessionArguments,
+    within: &[Attachment],
+) -> Result<SurfaceFiles, CliError> {
+    let mut files = PerSide::from_fn(|side| {
+        let is_of =
+            |file: &&Attachment| session.surface(side).is_some_and(|state| state.spec.shape.is_file(&file.name));
+        within.iter().find(is_of).map(|file| file.bytes.to_vec())
+    });
     if arguments.surface.len() > Side::BOTH.len() {
         return Err(CliError::Usage(String::from("--surface: a session has at most two surfaces")));
     }

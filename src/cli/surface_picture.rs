@@ -99,7 +99,7 @@ fn checker(bounds: (DVec2, DVec2), pole: DVec2) -> TextureStyle {
 
 fn look<'a>(style: TextureStyle, scale: f32) -> Look<'a> {
     let stroke = Some(StrokeStyle::themed(true, scale.max(0.6)));
-    Look { style, background: background(true), image: None, stroke, radius_px: 9.0 * scale.max(0.4) }
+    Look { style, background: background(true), image: None, stroke, radius_px: Some(9.0 * scale.max(0.4)) }
 }
 
 fn drawn(parts: &[ScenePart<'_>], look: &Look<'_>, size: [u32; 2]) -> Result<RgbaImage, CliError> {

@@ -6,6 +6,7 @@ use crate::conformal::{PrepareSettings, Side};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::mesh::{TriangleId, VertexId};
 use crate::outline::{Sampling, parse, sample};
+use crate::session::file::FileError;
 use crate::session::{Command, OutlineSpec, Session, file, link};
 use crate::surface::{SurfaceMesh, read_surface};
 use serde_json::json;
@@ -246,6 +247,18 @@ fn sessions_and_links_that_cannot_be_opened() {
     for text in ["{\"riemap\": 1}", "[", "\u{1}"] {
         german_but_for_the_cause(&file::read(text.as_bytes()).unwrap_err());
     }
+    let part = || String::from("surfaces/cow.obj");
+    for error in [
+        FileError::TooLarge { limit: 448 << 20 },
+        FileError::MissingPart(part()),
+        FileError::PartTooLarge { part: part(), limit: 384 << 20 },
+        FileError::TooManyParts { limit: 1024 },
+        FileError::InPart { part: part(), error: Box::new(FileError::NoSession) },
+    ] {
+        german(&error);
+    }
+    german_but_for_the_cause(&FileError::Damaged("cut".into()));
+    german_but_for_the_cause(&FileError::BrokenPart { part: part(), reason: "cut".into() });
     for address in ["", "#s=1.AAAA", "#s=2.AAAA", "#s=3.AAAA", "#s=1.____", &format!("#s={}", "A".repeat(9000))] {
         let error = link::decode(address).unwrap_err();
         german(&error);

@@ -20,6 +20,8 @@ pub enum FilePurpose {
     Trace(Side),
     /// As a session.
     Session,
+    /// As the own picture of a session that is opened with it.
+    OfSession,
     /// Dropped over this side: the name decides.
     Dropped(Side),
 }
@@ -34,7 +36,7 @@ pub const SURFACE_ENDINGS: [&str; 6] = crate::surface::ENDINGS;
 /// The description of the files that a dialog offers.
 pub fn kind_of_file(purpose: FilePurpose) -> Label {
     match purpose {
-        FilePurpose::Image | FilePurpose::Trace(_) => key::images(),
+        FilePurpose::Image | FilePurpose::OfSession | FilePurpose::Trace(_) => key::images(),
         FilePurpose::Session => key::sessions(),
         FilePurpose::Outline(_) | FilePurpose::Dropped(_) => key::outlines_and_surfaces(),
     }
@@ -43,7 +45,7 @@ pub fn kind_of_file(purpose: FilePurpose) -> Label {
 /// The file name endings that a dialog offers.
 pub fn endings(purpose: FilePurpose) -> Vec<&'static str> {
     match purpose {
-        FilePurpose::Image | FilePurpose::Trace(_) => IMAGE_ENDINGS.to_vec(),
+        FilePurpose::Image | FilePurpose::OfSession | FilePurpose::Trace(_) => IMAGE_ENDINGS.to_vec(),
         FilePurpose::Session => vec![file::EXTENSION],
         FilePurpose::Outline(_) | FilePurpose::Dropped(_) => {
             [&OUTLINE_ENDINGS[..], &SURFACE_ENDINGS, &IMAGE_ENDINGS, &[file::EXTENSION]].concat()
@@ -80,7 +82,7 @@ impl FileKind {
     /// sessions.
     pub fn of(purpose: FilePurpose, name: &str) -> Self {
         match purpose {
-            FilePurpose::Image => Self::Texture,
+            FilePurpose::Image | FilePurpose::OfSession => Self::Texture,
             FilePurpose::Dropped(_) if has_ending(name, &IMAGE_ENDINGS) => Self::Texture,
             FilePurpose::Trace(side) => Self::Trace(side),
             FilePurpose::Outline(side) if has_ending(name, &IMAGE_ENDINGS) => Self::Trace(side),

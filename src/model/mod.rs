@@ -7,6 +7,7 @@
 //! the last good map stays and follows its handles.
 
 mod abilities;
+mod attachments;
 pub mod coarse;
 mod commands;
 pub mod curves;
@@ -148,11 +149,15 @@ pub struct Model {
 impl Model {
     /// A model that requests both of the session's domains, and its surfaces.
     pub fn new(session: Session) -> Self {
+        Self::with_files(session, SurfaceFiles::default())
+    }
+
+    fn with_files(session: Session, surface_files: SurfaceFiles) -> Self {
         let surfaces = PerSide::from_fn(|side| session.surface(side).cloned());
         let session = session.and(Side::BOTH.map(Command::CloseSurface));
         let mut model = Self {
             sides: PerSide::from_fn(|side| ModelSide::new(session.side(side))),
-            surface_files: SurfaceFiles::default(),
+            surface_files,
             shown: ShownMap::new(pattern::home(&session)),
             session,
             under_way: MapUnderWay::default(),

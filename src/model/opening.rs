@@ -18,7 +18,7 @@ use crate::model::side::ModelSide;
 use crate::model::side::opened_file::{InFlight, OpenedFile, Origin};
 use crate::model::side::user_error::{QuickFix, UserError};
 use crate::outline::Outline;
-use crate::session::Session;
+use crate::session::file::Archive;
 use crate::worker::{NamedFile, Response, Unread};
 use std::sync::Arc;
 
@@ -29,8 +29,8 @@ pub enum Arrived {
     Outline(Origin),
     /// A surface, which is prepared and shown on its side.
     Surface,
-    /// A session, and the files that were opened after it; pass them to [`Model::open_later`] once it is open.
-    Session(Box<Session>, FileQueue),
+    /// A session with its undo steps and its files, and the files that were opened after it; pass them to [`Model::open_later`] once it is open.
+    Session(Box<Archive>, FileQueue),
     /// A session file could not be read.
     NoSession(Message),
     /// The text pasted for this side is not an outline.
@@ -93,9 +93,9 @@ impl Model {
         let reading = &mut self.sides[side].reading;
         match reading.take_in(generation, response) {
             Some(Response::Outline(outline)) => self.take_outline(side, *outline),
-            Some(Response::Session(session)) => {
+            Some(Response::Session(archive)) => {
                 reading.end();
-                self.arrived = Some(Arrived::Session(session, std::mem::take(&mut self.queue)));
+                self.arrived = Some(Arrived::Session(archive, std::mem::take(&mut self.queue)));
             }
             Some(Response::Unread(unread)) => {
                 if let Some(InFlight { opened, .. }) = reading.end().end() {

@@ -31,8 +31,8 @@ pub struct Look<'a> {
     pub image: Option<&'a RgbaImage>,
     /// The outlines; `None`: the theme's stroke.
     pub stroke: Option<StrokeStyle>,
-    /// The radius of the dots.
-    pub radius_px: f32,
+    /// The radius of the dots; `None`: no dots.
+    pub radius_px: Option<f32>,
 }
 
 /// What a picture shows of one side.
@@ -93,16 +93,16 @@ pub fn compose<R>(
 }
 
 impl<'a> ScenePart<'a> {
-    fn marks(&self, radius_px: f32) -> Marks {
+    fn marks(&self, radius_px: Option<f32>) -> Marks {
         match self {
             Self::Plane(PlanarPart { panel, .. }) => Marks {
                 line: hatched(panel.boundary, panel.unresolved),
-                plane: handles(panel, radius_px).to_vec(),
+                plane: radius_px.map(|radius| handles(panel, radius).to_vec()).unwrap_or_default(),
                 ..Marks::default()
             },
             Self::Space(part) => {
-                let space = surface_handles(part.surface, part.handles, &part.camera, radius_px).to_vec();
-                Marks { space, ..Marks::default() }
+                let dots = |radius| surface_handles(part.surface, part.handles, &part.camera, radius).to_vec();
+                Marks { space: radius_px.map(dots).unwrap_or_default(), ..Marks::default() }
             }
         }
     }

@@ -29,7 +29,7 @@ impl Offscreen {
             background: ground(shot),
             image,
             stroke: Some(StrokeStyle::themed(shot.dark, scale)),
-            radius_px: DOT_RADIUS * scale,
+            radius_px: shot.dots.then_some(DOT_RADIUS * scale),
         };
         let shown = Side::BOTH.into_iter().filter(|&side| shot.shows(side));
         let parts: Option<Vec<_>> = shown.map(|side| self.part(side, cameras[side], shot)).collect();

@@ -41,6 +41,9 @@ pub trait Host: eframe::App + Sized + 'static {
         startup: Self::Startup,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>>;
 
+    /// Continues on another graphics device after the former one was lost.
+    fn reopen(&mut self, creation: &eframe::CreationContext<'_>);
+
     /// Whether WebGPU is not to be used.
     fn avoids_webgpu() -> bool;
 

@@ -3,6 +3,7 @@
 //! The only room with `cfg(target_arch)`. `web` and `native` offer the same
 //! names: [`start`], [`Preparer`], [`StudyRunner`], [`pick_file`], [`read_dropped`], [`decode_image`], [`save_file`],
 //! [`drop_position`], [`address_query`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
+//! [`visit`], [`new_visit`], [`begin_visit`], [`keep`], [`first_kept`], [`load_visit`],
 //! [`languages`], [`say_language`], [`say`], [`describe`], [`has_fingers`], [`has_full_screen`],
 //! [`toggle_full_screen`], [`can_share`], [`share`], [`tell_page`], [`watch_graphics`]. Whatever happens between frames arrives in order as an
 //! [`Event`] in the app's mailbox and wakes the app; only files, on the web, are passed to the app directly.
@@ -11,9 +12,10 @@
 mod web;
 #[cfg(target_arch = "wasm32")]
 pub use web::{
-    Preparer, StudyRunner, address_query, address_with, can_share, decode_image, describe, drop_position, has_fingers,
-    has_full_screen, languages, link, pick_file, read_dropped, remember, remembered, save_file, say, say_language,
-    share, show_link, start, tell_page, toggle_full_screen, watch_graphics,
+    Preparer, StudyRunner, address_query, address_with, begin_visit, can_share, decode_image, describe, drop_position,
+    first_kept, has_fingers, has_full_screen, keep, languages, link, load_visit, new_visit, pick_file, read_dropped,
+    remember, remembered, save_file, say, say_language, share, show_link, start, tell_page, toggle_full_screen, visit,
+    watch_graphics,
 };
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -22,12 +24,16 @@ mod native;
 mod native_image;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{
-    Preparer, StudyRunner, address_query, address_with, can_share, describe, drop_position, has_fingers,
-    has_full_screen, languages, link, pick_file, read_dropped, remember, remembered, save_file, say, say_language,
-    share, show_link, start, tell_page, toggle_full_screen, watch_graphics,
+    Preparer, StudyRunner, address_query, address_with, begin_visit, can_share, describe, drop_position, has_fingers,
+    has_full_screen, languages, link, new_visit, pick_file, read_dropped, remember, remembered, save_file, say,
+    say_language, share, show_link, start, tell_page, toggle_full_screen, visit, watch_graphics,
 };
 #[cfg(not(target_arch = "wasm32"))]
+mod native_store;
+#[cfg(not(target_arch = "wasm32"))]
 pub use native_image::decode_image;
+#[cfg(not(target_arch = "wasm32"))]
+pub use native_store::{first_kept, keep, load_visit};
 
 mod host;
 
@@ -36,8 +42,9 @@ pub use host::{Failure, Host};
 use crate::conformal::Side;
 use crate::language::Message;
 use crate::model::files::FilePurpose;
+use crate::model::persistence::visits::{Kept as KeptVisit, Listed};
 use crate::worker::{Finding, Response, Study};
-use std::sync::{Arc, OnceLock, mpsc};
+use std::sync::{Arc, Mutex, PoisonError, mpsc};
 
 /// What is stored from one run to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,6 +85,17 @@ pub enum Event {
     },
     /// The fragment of the page's address has changed.
     Link(String),
+    /// The user went back or forward to this visit in the browser's history.
+    GoneTo(String),
+    /// A kept visit was read; `None` if it is not kept any more.
+    Visited {
+        /// Its id.
+        id: String,
+        /// The visit.
+        kept: Option<KeptVisit>,
+    },
+    /// A visit was stored: the visits that are kept now, and why its files are not; or why nothing is.
+    Kept(Result<(Vec<Listed>, Option<Message>), Message>),
     /// The graphics device was lost; with the reason.
     GraphicsLost(String),
     /// An image was decoded, or could not be.
@@ -86,6 +104,8 @@ pub enum Event {
         purpose: FilePurpose,
         /// The file's name.
         name: String,
+        /// The file's content.
+        file: Arc<Vec<u8>>,
         /// RGBA, alpha not premultiplied, 8 bits per channel, no larger than requested; or the reason of the failure.
         pixels: Result<image::RgbaImage, Message>,
     },
@@ -137,7 +157,7 @@ pub const STAGES_SHOWN_AFTER: f32 = 0.3;
 #[derive(Clone)]
 pub struct Mailbox {
     sender: mpsc::Sender<Event>,
-    context: Arc<OnceLock<egui::Context>>,
+    context: Arc<Mutex<Option<egui::Context>>>,
 }
 
 impl Mailbox {
@@ -147,9 +167,13 @@ impl Mailbox {
         (Self { sender, context: Arc::default() }, receiver)
     }
 
-    /// Makes posting wake `context`; earlier events wait in the mailbox.
+    /// Makes posting wake `context`, in place of a former one; earlier events wait in the mailbox.
     pub fn attach(&self, context: &egui::Context) {
-        self.context.get_or_init(|| context.clone());
+        *self.context.lock().unwrap_or_else(PoisonError::into_inner) = Some(context.clone());
+    }
+
+    fn context(&self) -> Option<egui::Context> {
+        self.context.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     /// Posts `event`; ignored if the app has ended. A stage of a preparation does not request a frame at once: most
@@ -168,14 +192,14 @@ impl Mailbox {
 
     /// Requests a frame.
     pub fn wake(&self) {
-        if let Some(context) = self.context.get() {
+        if let Some(context) = self.context() {
             context.request_repaint_after_secs(ONE_FRAME);
         }
     }
 
     /// Requests a frame that shows the stage, in case the preparation takes that long.
     pub fn wake_for_stages(&self) {
-        if let Some(context) = self.context.get() {
+        if let Some(context) = self.context() {
             context.request_repaint_after_secs(STAGES_SHOWN_AFTER);
         }
     }

@@ -43,6 +43,10 @@ impl Preparer {
     #[allow(clippy::unused_self, reason = "in the browser there are workers")]
     pub fn warm(&mut self) {}
 
+    /// Does nothing: a thread cannot be stopped; the responses of one that is given up are dropped as stale.
+    #[allow(clippy::unused_self, reason = "in the browser there are workers")]
+    pub fn stop(&mut self, _side: Side) {}
+
     /// Starts a thread for `request`.
     pub fn request(&mut self, side: Side, request: Request) {
         let mailbox = self.mailbox.clone();
@@ -184,6 +188,22 @@ pub fn link() -> Option<String> {
 /// Does nothing: a window has no address.
 pub fn show_link(_fragment: &str) {}
 
+/// The only visit: a window has no history of addresses.
+const VISIT: &str = "last";
+
+/// The only visit, which every run continues.
+pub fn visit() -> Option<String> {
+    Some(VISIT.to_owned())
+}
+
+/// `None`: every session that is opened is a step of the same visit.
+pub fn new_visit() -> Option<String> {
+    None
+}
+
+/// Does nothing: a window has no history of addresses.
+pub fn begin_visit(_id: &str) {}
+
 /// The address of the web app with this fragment; on the desktop only the fragment, which `riemap render` accepts.
 pub fn address_with(fragment: &str) -> String {
     format!("#{fragment}")
@@ -209,13 +229,18 @@ pub fn remembered(what: Kept) -> Option<String> {
     std::fs::read_to_string(kept_at(what)?).ok()
 }
 
-fn kept_at(what: Kept) -> Option<PathBuf> {
+/// The folder of what is kept.
+pub fn kept_folder() -> Option<PathBuf> {
     let folders = etcetera::choose_base_strategy().ok()?;
+    Some(folders.data_dir().join("riemap"))
+}
+
+fn kept_at(what: Kept) -> Option<PathBuf> {
     let name = match what {
         Kept::Session => "last.riemap",
         Kept::Preferences => "preferences.json",
     };
-    Some(folders.data_dir().join("riemap").join(name))
+    Some(kept_folder()?.join(name))
 }
 
 /// The tags of the user's languages, the preferred one first.

@@ -5,11 +5,15 @@ use crate::language::{Message, key};
 use crate::model::files::FilePurpose;
 use image::imageops::thumbnail;
 use image::{ImageBuffer, Rgba, RgbaImage};
+use std::sync::Arc;
 use std::thread;
 
 /// Decodes a PNG or JPEG, scaled down until no side is longer than `max_side`, and posts it to `mailbox`.
-pub fn decode_image(purpose: FilePurpose, name: String, bytes: Vec<u8>, max_side: u32, mailbox: Mailbox) {
-    thread::spawn(move || mailbox.post(Event::Image { purpose, name, pixels: decode(&bytes, max_side) }));
+pub fn decode_image(purpose: FilePurpose, name: String, file: Arc<Vec<u8>>, max_side: u32, mailbox: Mailbox) {
+    thread::spawn(move || {
+        let pixels = decode(&file, max_side);
+        mailbox.post(Event::Image { purpose, name, file, pixels });
+    });
 }
 
 fn decode(bytes: &[u8], max_side: u32) -> Result<RgbaImage, Message> {
@@ -83,7 +87,7 @@ mod tests {
     #[test]
     fn a_decoded_image_is_posted_to_the_mailbox() {
         let (mailbox, events) = Mailbox::new();
-        decode_image(FilePurpose::Image, String::from("a.png"), png(3, 2), 32, mailbox);
+        decode_image(FilePurpose::Image, String::from("a.png"), Arc::new(png(3, 2)), 32, mailbox);
         let event = events.recv_timeout(std::time::Duration::from_secs(30)).unwrap();
         assert!(matches!(event, Event::Image { name, pixels: Ok(_), .. } if name == "a.png"));
     }

@@ -14,9 +14,10 @@ use super::{Camera, CellCode, CellStyle, ColourMap, placement};
 use glam::DVec2;
 
 /// Heights of cells, in points: edges of lower cells than the first vanish, those of higher cells than the second
-/// have full strength. Lines 3 points apart merge into a tint.
-const EDGES_VANISH: f32 = 2.5;
-const EDGES_SHOW: f32 = 6.0;
+/// have full strength. Lines 2 points apart merge into a tint; a wide fade is seen, since the two triangles at an edge
+/// have different heights.
+const EDGES_VANISH: f32 = 2.0;
+const EDGES_SHOW: f32 = 3.5;
 
 /// `Edges` of `shaders/cell_parts.wgsl`.
 #[repr(C)]

@@ -77,10 +77,10 @@ impl StrokeStyle {
     }
 
     /// The mesh's edges: thin, and faint enough not to hide what they are drawn over,
-    /// light over dark colors or dark over light ones.
+    /// light over dark colors or dark over light ones, which blend to a thinner look.
     pub fn wire(light: bool, pixels_per_point: f32) -> Self {
-        let colour = if light { [1.0, 1.0, 1.0, 0.38] } else { [0.03, 0.05, 0.08, 0.6] };
-        Self { colour, width_px: 0.9 * pixels_per_point }
+        let colour = if light { [1.0, 1.0, 1.0, 0.38] } else { [0.03, 0.05, 0.08, 0.75] };
+        Self { colour, width_px: pixels_per_point }
     }
 }
 

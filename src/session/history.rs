@@ -2,7 +2,7 @@
 //!
 //! Whatever happens between two settled sessions, a drag or the movement of a slider, is one step.
 
-use super::Session;
+use super::{Session, TextureKind};
 
 /// The maximal number of undo steps kept.
 const MOST_STEPS: usize = 200;
@@ -21,6 +21,52 @@ impl History {
     /// A history with `session` as its only entry.
     pub fn new(session: Session) -> Self {
         Self { now: session, past: Vec::new(), future: Vec::new() }
+    }
+
+    /// A history with the steps before `now`, the oldest first, and the undone ones after it, the last undone last.
+    pub fn from_steps(past: Vec<Session>, now: Session, future: Vec<Session>) -> Self {
+        let mut history = Self { now, past, future };
+        history.forget_the_oldest();
+        history
+    }
+
+    /// The steps before the present session, the oldest first.
+    pub fn past(&self) -> &[Session] {
+        &self.past
+    }
+
+    /// The undone steps; the one that is redone next comes last.
+    pub fn future(&self) -> &[Session] {
+        &self.future
+    }
+
+    /// The loaded outline points in all steps together.
+    pub fn loaded_points(&self) -> usize {
+        self.past.iter().chain([&self.now]).chain(&self.future).map(Session::loaded_points).sum()
+    }
+
+    /// Whether the texture is an image in one of its steps.
+    pub fn shows_image(&self) -> bool {
+        let mut all = self.past.iter().chain([&self.now]).chain(&self.future);
+        all.any(|session| session.texture() == TextureKind::Image)
+    }
+
+    /// Continues with `other`: its present session becomes the present one, the steps of both can be undone, and its
+    /// undone steps redone.
+    pub fn continue_with(&mut self, other: Self) {
+        if self.now != *other.past.first().unwrap_or(&other.now) {
+            self.past.push(std::mem::replace(&mut self.now, other.now.clone()));
+        }
+        self.past.extend(other.past);
+        (self.now, self.future) = (other.now, other.future);
+        self.forget_the_oldest();
+    }
+
+    /// Gives the files of surfaces other names, in every step.
+    pub fn rename_surface_files(&mut self, name: &dyn Fn(&str) -> String) {
+        for session in self.past.iter_mut().chain(&mut self.future).chain([&mut self.now]) {
+            session.rename_surface_files(name);
+        }
     }
 
     /// Records a settled session as a new step; false if it equals the present one. A new step discards what could
@@ -104,6 +150,21 @@ mod tests {
         assert!(!history.settle(&scaled(2.0)) && history.can_redo(), "what was undone to is no new step");
         assert!(history.settle(&scaled(9.0)) && !history.can_redo());
         assert_eq!(history.undo(), Some(&scaled(2.0)));
+    }
+
+    #[test]
+    fn a_history_that_continues_keeps_the_steps_of_both() {
+        let mut history = History::new(scaled(1.0));
+        assert!(history.settle(&scaled(2.0)));
+        let other = History::from_steps(vec![scaled(5.0)], scaled(6.0), vec![scaled(7.0)]);
+        history.continue_with(other);
+        assert_eq!(history.now(), &scaled(6.0));
+        assert_eq!(history.redo(), Some(&scaled(7.0)));
+        let undone: Vec<Session> = std::iter::from_fn(|| history.undo().cloned()).collect();
+        assert_eq!(undone, [6.0, 5.0, 2.0, 1.0].map(scaled));
+        let mut same = History::new(scaled(1.0));
+        same.continue_with(History::new(scaled(1.0)));
+        assert_eq!(same.undo_count(), 0, "the same session is no step");
     }
 
     /// A restored session may settle in another state, for example if its preparation fails.

@@ -148,6 +148,33 @@ impl Session {
         self.sides.iter().map(|(_, side)| side.domain.outline.loaded_points()).sum()
     }
 
+    /// This session with another outline on a side; its points and its surface stay.
+    #[cfg(feature = "io")]
+    #[must_use]
+    pub(crate) fn with_outline(mut self, side: Side, outline: OutlineSpec) -> Self {
+        self.sides[side].domain.outline = outline;
+        self
+    }
+
+    /// Gives the files that its surfaces come from other names.
+    pub(crate) fn rename_surface_files(&mut self, name: &dyn Fn(&str) -> String) {
+        for side in Side::BOTH {
+            if let Some(SurfaceState { spec: SurfaceSpec { shape: SurfaceShape::File { name: old }, .. }, .. }) =
+                &mut self.sides[side].surface
+            {
+                *old = name(old);
+            }
+        }
+    }
+
+    /// The names of the files that its surfaces come from.
+    pub fn surface_files(&self) -> impl Iterator<Item = &str> {
+        self.sides.iter().filter_map(|(_, side)| match &side.surface.as_ref()?.spec.shape {
+            SurfaceShape::File { name } => Some(name.as_str()),
+            SurfaceShape::Preset { .. } => None,
+        })
+    }
+
     /// The constraints between the two outlines. `poles` replace interior points that are not set.
     pub fn constraints(&self, poles: PerSide<DVec2>) -> Constraints {
         let at = |side: Side| {

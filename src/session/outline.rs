@@ -87,7 +87,7 @@ impl OutlineSpec {
     }
 
     /// Whether the form of the curve is what the polygon alone says: before curves, outlines were stored without.
-    pub(super) fn is_only_polygon(&self) -> bool {
+    pub(in crate::session) fn is_only_polygon(&self) -> bool {
         match self {
             Self::Preset(_) => true,
             Self::Points { polygon, form, .. } => *form == CurveForm::of_polygon(polygon),

@@ -1,13 +1,13 @@
 //! Outline and session files, parsed in a worker.
 //!
 //! An [`Outline`]'s polygon is validated here and not again: it is transferred to the page as flat arrays
-//! ([`FlatOutline`], [`FlatSession`]), whose polygons are known to be simple.
+//! ([`FlatOutline`], [`FlatArchive`]), whose polygons are known to be simple.
 
-use crate::conformal::{PerSide, Side};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::language::Message;
 use crate::outline::{Outline, parse, parse_repaired};
-use crate::session::{Command, OutlineSpec, Session, SidePoints, file};
+use crate::session::OutlineSpec;
+use crate::session::file::{self, Archive, Attachment, Steps};
 use std::sync::Arc;
 
 /// A file's name and its content.
@@ -37,9 +37,9 @@ impl NamedFile {
         })
     }
 
-    /// Reads a session. Errors: the reason.
-    pub fn session(&self) -> Result<Session, Unread> {
-        file::read(&self.bytes).map_err(|error| Unread { text: Message::from(&error), repaired: None })
+    /// Reads a session with what its file holds besides. Errors: the reason.
+    pub fn archive(&self) -> Result<Archive, Unread> {
+        file::read_archive(&self.bytes).map_err(|error| Unread { text: Message::from(&error), repaired: None })
     }
 }
 
@@ -70,53 +70,47 @@ impl FlatOutline {
     }
 }
 
-/// A session in transferable form: loaded outlines as flat arrays, the rest as JSON with a preset in their place.
+/// A session with its undo steps and its files in transferable form: loaded outlines as flat arrays, the rest as JSON.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FlatSession {
-    /// The loaded outlines.
-    pub outlines: PerSide<Option<FlatOutline>>,
-    /// The rest of the session.
+pub struct FlatArchive {
+    /// The loaded outlines of all steps, each once.
+    pub outlines: Vec<FlatOutline>,
+    /// The steps, as `Steps` writes them.
     pub text: String,
+    /// The files of surfaces.
+    pub surfaces: Vec<Attachment>,
+    /// The file of the own picture.
+    pub picture: Option<Attachment>,
 }
 
-impl FlatSession {
-    /// Flattens a session; `None` if its numbers are out of range, which is never the case for a session from a file.
-    pub fn of(session: &Session) -> Option<Self> {
-        let mut light = session.clone();
-        let outlines = PerSide::from_fn(|side| {
-            let OutlineSpec::Points { name, polygon, form } = session.domain(side).outline.clone() else { return None };
-            light.apply(reshaped(session, side, OutlineSpec::Preset(crate::outline::Preset::Disk)));
-            Some(FlatOutline::from(&Outline::new(name, polygon).with_form(form)))
-        });
-        Some(Self { outlines, text: file::write_object(&light).ok()? })
-    }
-
-    /// The session; `None` if the text is malformed.
-    pub fn session(&self) -> Option<Session> {
-        let mut session = file::read_object(&self.text).ok()?;
-        for (side, outline) in self.outlines.iter() {
-            if let Some(outline) = outline {
-                let command = reshaped(&session, side, outline.outline()?.into());
-                session.apply(command);
+impl FlatArchive {
+    /// Flattens an archive; `None` if its numbers are out of range, which is never the case for one from a file.
+    pub fn of(archive: Archive) -> Option<Self> {
+        let Archive { history, surfaces, picture } = archive;
+        let Steps { outlines, text } = Steps::of(&history, true).ok()?;
+        let flat = |outline: OutlineSpec| match outline {
+            OutlineSpec::Points { name, polygon, form } => {
+                Some(FlatOutline::from(&Outline::new(name, polygon).with_form(form)))
             }
-        }
-        Some(session)
+            OutlineSpec::Preset(_) => None, // has no number
+        };
+        Some(Self { outlines: outlines.into_iter().filter_map(flat).collect(), text, surfaces, picture })
     }
-}
 
-/// The command that replaces a side's outline and keeps its points and surface.
-fn reshaped(session: &Session, side: Side, outline: OutlineSpec) -> Command {
-    let points = session.side(side).outline_points();
-    let interior = if let SidePoints::Outline { interior, .. } = points { interior } else { None };
-    Command::ReshapeOutline { side, outline, interior, anchor: points.anchor() }
+    /// The archive; `None` if the text is malformed.
+    pub fn archive(self) -> Option<Archive> {
+        let Self { outlines, text, surfaces, picture } = self;
+        let outlines = outlines.iter().map(|outline| Some(outline.outline()?.into())).collect::<Option<Vec<_>>>()?;
+        Some(Archive { history: Steps { outlines, text }.history(None).ok()?, surfaces, picture })
+    }
 }
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::conformal::Direction;
-    use crate::session::SurfaceSpec;
+    use crate::conformal::{Direction, Side};
+    use crate::session::{Command, History, Session, SurfaceSpec};
 
     fn named(name: &str, text: &str) -> NamedFile {
         NamedFile { name: name.into(), bytes: Arc::new(text.into()) }
@@ -139,21 +133,30 @@ mod tests {
     }
 
     #[test]
-    fn a_session_crosses_bit_for_bit_with_its_loaded_outlines_points_and_surface() {
+    fn a_session_crosses_bit_for_bit_with_its_loaded_outlines_points_surface_steps_and_files() {
         let outline = named("a.csv", "0,0\n0.1,0\n0.3,0.7\n").outline().unwrap();
-        let session = Session::with([
-            Command::SetOutline { side: Side::Target, outline: outline.into() },
+        let before = Session::with([Command::SetOutline { side: Side::Target, outline: outline.into() }]);
+        let session = before.clone().and([
             Command::MoveInterior { side: Side::Target, point: DVec2::new(0.13, 1.0 / 7.0).into() },
             Command::MoveAnchor { side: Side::Target, fraction: 1.0 / 3.0 },
             Command::SetSurface { side: Side::Target, surface: SurfaceSpec::default() },
             Command::MoveAnchor { side: Side::Target, fraction: 0.7 },
             Command::SetDirection(Direction::Forward),
         ]);
-        let flat = FlatSession::of(&session).unwrap();
-        assert!(flat.outlines[Side::Source].is_none() && flat.outlines[Side::Target].is_some());
-        assert_eq!(flat.session().unwrap(), session);
-        let file = named("a.riemap", &file::write(&session).unwrap());
-        assert_eq!(file.session().unwrap(), session);
-        assert!(named("a.riemap", "{}").session().is_err());
+        let mut history = History::new(before.clone());
+        history.settle(&session);
+        let surfaces = vec![Attachment { name: "a.obj".into(), bytes: Arc::new(b"v".to_vec()) }];
+        let archive = Archive { history, surfaces: surfaces.clone(), picture: None };
+        let bytes = archive.write().unwrap();
+        let flat = FlatArchive::of(archive).unwrap();
+        assert_eq!(flat.outlines.len(), 1);
+        let crossed = flat.archive().unwrap();
+        assert_eq!((crossed.session(), crossed.history.past()), (&session, &[before][..]));
+        assert_eq!(crossed.surfaces, surfaces);
+        let file = NamedFile { name: "a.riemap".into(), bytes: Arc::new(bytes) };
+        assert_eq!(file.archive().unwrap().session(), &session);
+        let old = named("a.riemap", &file::write(&session).unwrap());
+        assert_eq!(old.archive().unwrap().session(), &session);
+        assert!(named("a.riemap", "{}").archive().is_err());
     }
 }

@@ -12,7 +12,7 @@ mod study;
 mod taken;
 mod transfer;
 
-pub use file::{FlatOutline, FlatSession, NamedFile, Unread};
+pub use file::{FlatArchive, FlatOutline, NamedFile, Unread};
 pub use formula::{FormulaTask, FoundFormula};
 pub use invariants::{FoundInvariants, InvariantsTask, Number, StudiedOutline};
 pub use packed::{packed, unpacked};
@@ -28,7 +28,8 @@ use crate::conformal::{
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::language::Message;
 use crate::outline::{CurveForm, Outline};
-use crate::session::{OutlineSpec, Session};
+use crate::session::OutlineSpec;
+use crate::session::file::Archive;
 use crate::surface::{Surface, SurfaceMesh, SurfacePreset, read_surface};
 
 /// A request to read or to prepare something.
@@ -140,8 +141,8 @@ pub enum Response {
     Outline(Box<Outline>),
     /// What the points of an outline are taken for; it is prepared next.
     Taken(Box<Taken>),
-    /// The session of a file is read.
-    Session(Box<Session>),
+    /// The session of a file is read, with its undo steps and the files that it uses.
+    Session(Box<Archive>),
     /// The file could not be read.
     Unread(Unread),
     /// A side is done; with what the reader of a surface noticed.
@@ -194,8 +195,8 @@ pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
             }
         }
         Task::OutlineFile { file, settings } => outline_file(file, settings, answer),
-        Task::SessionFile(file) => match file.session() {
-            Ok(session) => Response::Session(Box::new(session)),
+        Task::SessionFile(file) => match file.archive() {
+            Ok(archive) => Response::Session(Box::new(archive)),
             Err(unread) => Response::Unread(unread),
         },
         Task::Surface { source, repair, settings } => {

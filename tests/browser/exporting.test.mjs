@@ -64,6 +64,8 @@ withEachBackend('exports and motion', (bench) => {
       const pixels = await app.pixelsOf(bytes, [[0, 0], [400, 450], [1200, 450]]);
       assert.equal(pixels[0][3], 0, 'there is no ground');
       assert.deepEqual([pixels[1][3], pixels[2][3]], [255, 255], 'both domains are there');
+      const bare = await saved(app, 'PNG', 'Interior and boundary point');
+      assert.notDeepEqual(bare.bytes, bytes, 'without the dots');
       const svg = (await saved(app, 'SVG')).bytes.toString();
       assert.match(svg, /^<svg/);
       assert.equal(svg.match(/class="outline"/g).length, 2);

@@ -93,7 +93,7 @@ withOneBackend('sessions', (bench) => {
       await app.openSession({ texture_scale: 5 });
       await app.otherAddress(second);
       await app.loadFile('source', name, bytes);
-      await app.until('the file is opened', (stats) => stats.ready && stats.undo === 3);
+      await app.until('the file is opened with its steps', (stats) => stats.ready && stats.undo === 4);
       assert.deepEqual(await app.session(), saved);
     }),
   );

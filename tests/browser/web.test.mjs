@@ -169,13 +169,48 @@ withEachBackend(
 
     const { prepare, lose } = LOSSES[bench.backend];
     test(
-      'after the graphics are lost the page says so, and a reload brings the map back',
+      'after the graphics are lost they are rebuilt at once, undo included',
+      bench.withApp(
+        async (app) => {
+          const before = await app.otherAddress(bench.address());
+          await app.openSession({ texture_scale: 19 });
+          await app.otherAddress(before);
+          const [session, seen] = [await app.session(), await app.picture(`${bench.backend}-before-loss`)];
+          for (let loss = 0; loss < 2; loss++) {
+            const canvas = await app.page.evaluateHandle(() => document.querySelector('canvas'));
+            await app.page.evaluate(lose);
+            await app.page.waitForFunction((old) => document.querySelector('canvas') !== old, canvas);
+            const { undo } = await app.atRest('the map is there again');
+            assert.equal(undo, 1);
+            assert.deepEqual(await app.session(), session);
+          }
+          const again = await app.picture(`${bench.backend}-after-loss`);
+          assert.ok(again.length > 0.7 * seen.length, `${again.length} colours of ${seen.length}`);
+          const { handles, generation } = await app.stats();
+          await app.drag(handles.x1, [handles.x1[0] + 25, handles.x1[1] - 30]);
+          await app.until('the map follows', (stats, last) => stats.ready && stats.generation > last, generation);
+          await app.press('Control+z');
+          await app.press('Control+z');
+          await app.until('undo goes back before the loss', (stats) => stats.ready && stats.undo === 0);
+        },
+        { prepare },
+      ),
+    );
+
+    test(
+      'graphics that are lost again and again end with a message, and a reload brings the map back',
       bench.withApp(
         async (app) => {
           const before = await app.otherAddress(bench.address());
           await app.openSession({ texture_scale: 19 });
           await app.otherAddress(before);
           const session = await app.session();
+          for (let loss = 0; loss < 3; loss++) {
+            const canvas = await app.page.evaluateHandle(() => document.querySelector('canvas'));
+            await app.page.evaluate(lose);
+            await app.page.waitForFunction((old) => document.querySelector('canvas') !== old, canvas);
+            await app.atRest('the map is there again');
+          }
           await app.page.evaluate(lose);
           await app.page.locator('#failure', { hasText: 'The map is kept' }).waitFor();
           await app.page.locator('#failure-reload').click();

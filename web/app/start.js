@@ -2,7 +2,9 @@
 // shows the progress of the download, and explains what is missing if it cannot run.
 import { installed } from "./installed.js";
 import { embedded } from "./embedded.js";
+import { locks } from "./locks.js";
 import { plainWords } from "./plain.js";
+import { store } from "./store.js";
 import { words } from "./words.js";
 
 const element = (id) => document.getElementById(id);
@@ -95,6 +97,8 @@ async function start() {
   distrustEmulatedPixels();
   const [glue, compiled] = await Promise.all([import("./riemap.js"), program()]);
   embedded();
+  globalThis.riemapStore = store;
+  globalThis.riemapLocks = locks;
   await glue.default({ module_or_path: compiled });
   await installed();
 }

@@ -4,7 +4,16 @@
 const early = [];
 const keep = (event) => early.push(event.data);
 
-async function boot({ data: { glue, module } }) {
+// A lock is held until the worker ends: the page notices by it that a worker was terminated.
+function hold(name) {
+  globalThis.navigator?.locks?.request(name, () => {
+    self.postMessage({ locked: name });
+    return new Promise(() => {});
+  }).catch(() => {});
+}
+
+async function boot({ data: { glue, module, lock } }) {
+  hold(lock);
   self.addEventListener("message", keep);
   const { default: init } = await import(glue);
   await init({ module_or_path: module });

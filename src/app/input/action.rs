@@ -21,6 +21,8 @@ pub enum Action {
     Redo,
     /// Start over with the default session.
     New,
+    /// Open the kept session of this visit.
+    OpenKept(String),
     /// Show the dialog that opens a session file.
     OpenSession,
     /// Save the session as a file.
@@ -92,6 +94,7 @@ impl Action {
             Self::Session(command) => command.touches(),
             Self::Edit(action) => action.leads_to(),
             Self::New
+            | Self::OpenKept(_)
             | Self::OpenSession
             | Self::Explore(ExploreAction::Gallery | ExploreAction::Figures | ExploreAction::Tour(_)) => {
                 Touched::EVERYTHING

@@ -6,10 +6,12 @@ use crate::app::input::presentation;
 use crate::app::theme::FINGER_HEIGHT;
 use crate::app::theme::text_metrics::{BELOW_BAR, scroll_beyond};
 use crate::app::theme::widgets::drop_down;
-use crate::language::{Label, key, tr};
+use crate::language::{Label, key, say, tr};
 use crate::model::persistence::Persistence;
+use crate::model::persistence::visits::Visits;
 use crate::platform;
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, PopupCloseBehavior, Ui};
+use web_time::SystemTime;
 
 const UNDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Z);
 const REDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
@@ -18,6 +20,9 @@ const SAVE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::S)
 
 const FULL_SCREEN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F);
 const EXPORT: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::E);
+
+/// The kept sessions that are listed: more would not fit under the other entries.
+const MOST_RECENT: usize = 4;
 
 const LINK_TOOLTIP: Label = key::link_tooltip();
 
@@ -41,6 +46,37 @@ fn content(ui: &mut Ui, persistence: &Persistence, actions: &mut Actions) {
             ui.close();
         }
     }
+    recent(ui, &persistence.visits, actions);
+}
+
+/// The sessions that were opened before and are kept, each with its age.
+fn recent(ui: &mut Ui, visits: &Visits, actions: &mut Actions) {
+    for (k, listed) in visits.others().take(MOST_RECENT).enumerate() {
+        if k == 0 {
+            ui.separator();
+            ui.label(egui::RichText::new(tr(key::recent_sessions())).small());
+        }
+        let button = egui::Button::new(listed.title.as_str())
+            .shortcut_text(age(listed.at_ms))
+            .truncate()
+            .min_size(egui::vec2(190.0, FINGER_HEIGHT));
+        let action = Action::OpenKept(listed.id.clone());
+        if menu_entry(ui, true, button, key::recent_tooltip(), &action) {
+            actions.push(action);
+            ui.close();
+        }
+    }
+}
+
+/// How long ago a time in ms since 1970 is.
+fn age(at_ms: f64) -> String {
+    let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+    let minutes = ((now.as_secs_f64() - at_ms / 1000.0) / 60.0).max(0.0) as u32;
+    say(&match minutes {
+        0..60 => key::age_minutes(minutes),
+        60..1440 => key::age_hours(minutes / 60),
+        _ => key::age_days(minutes / 1440),
+    })
 }
 
 struct Entry {

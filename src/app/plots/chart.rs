@@ -29,12 +29,19 @@ pub const MAP_INKS: [[Color32; 3]; 2] = [
 /// colored curves.
 pub const EXACT_INKS: [Color32; 2] = [Color32::from_rgb(132, 142, 154), Color32::from_rgb(160, 168, 178)];
 const EXACT_WIDTH: f32 = 4.5;
+/// The width of all other curves, in the plot and in its legend.
+const LINE_WIDTH: f32 = 1.75;
 
 /// The color of the hits of random walks, by theme; distinct from [`SIDE_INKS`] and [`MAP_INKS`].
 pub const WALK_INKS: [Color32; 2] = [Color32::from_rgb(240, 228, 66), Color32::from_rgb(200, 40, 48)];
 
 /// The most decades on the logarithmic axis: twice the 16 digits of f64; with more, the curve's peak is a spike again.
 const MOST_DECADES: f64 = 32.0;
+
+/// The length of a curve's sample in a legend: two dashes and a half.
+pub const SAMPLE: f32 = 19.0;
+/// The dashes and gaps of `LineStyle::dashed_dense`.
+pub const DASHES: (f32, f32) = (5.0, 3.09);
 
 /// Free space at the ends of the axes, as a fraction of their length.
 const MARGIN: f64 = 0.03;
@@ -170,13 +177,15 @@ impl<'a> Chart<'a> {
         for (curve, ink) in &self.lines {
             let points: Vec<[f64; 2]> =
                 decimate(&curve.points, columns).into_iter().map(|[x, y]| [x, self.ordinate(y)]).collect();
-            plot.line(Line::new(curve.name.clone(), points).color(*ink).width(1.6).allow_hover(false));
+            plot.line(Line::new(curve.name.clone(), points).color(*ink).width(LINE_WIDTH).allow_hover(false));
         }
         for Overlay { origin, curve } in self.overlays {
             let ink = Plots::overlay_ink(*origin, self.dark);
             let points = decimate(&curve.points, columns);
             let style = if origin.is_dashed() { LineStyle::dashed_dense() } else { LineStyle::Solid };
-            plot.line(Line::new(tr(origin.name()), points).color(ink).width(1.4).style(style).allow_hover(false));
+            plot.line(
+                Line::new(tr(origin.name()), points).color(ink).width(LINE_WIDTH).style(style).allow_hover(false),
+            );
         }
     }
 
@@ -189,11 +198,11 @@ impl<'a> Chart<'a> {
         let overlay = |overlay: &Overlay| Entry {
             name: tr(overlay.origin.name()),
             ink: Plots::overlay_ink(overlay.origin, self.dark),
-            width: 2.0,
+            width: LINE_WIDTH,
             dashed: overlay.origin.is_dashed(),
         };
         let exact = Entry { name: tr(key::exact()), ink: self.exact_ink(), width: EXACT_WIDTH, dashed: false };
-        let map = |ink| Entry { name: tr(key::this_map()), ink, width: 2.0, dashed: false };
+        let map = |ink| Entry { name: tr(key::this_map()), ink, width: LINE_WIDTH, dashed: false };
         let mut entries: Vec<Entry> = (!self.exact.is_empty()).then_some(exact).into_iter().collect();
         entries.extend(self.overlays.iter().rev().map(overlay));
         entries.dedup_by_key(|entry| entry.name);
@@ -211,9 +220,10 @@ impl<'a> Chart<'a> {
             let place = area.right_bottom() - vec2(10.0, 10.0 + 15.0 * row as f32);
             let text = painter.text(place, Align2::RIGHT_CENTER, name, FontId::proportional(11.0), palette.weak);
             let end = text.left_center() - vec2(5.0, 0.0);
-            let (line, stroke) = ([end - vec2(14.0, 0.0), end], Stroke::new(width, ink));
+            let (line, stroke) = ([end - vec2(SAMPLE, 0.0), end], Stroke::new(width, ink));
             if dashed {
-                painter.extend(Shape::dashed_line(&line, stroke, 4.0, 2.0));
+                let (dash, gap) = DASHES;
+                painter.extend(Shape::dashed_line(&line, stroke, dash, gap));
             } else {
                 painter.line_segment(line, stroke);
             }

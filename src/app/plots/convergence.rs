@@ -2,10 +2,12 @@
 
 use super::super::theme::Palette;
 use super::chart::power_of_ten;
+use super::legend::{Entry, RADIUS, WIDTH, error_axis, with_legend};
 use crate::figures::{ConvergenceRow, Method, SecondMap, fitted_order};
-use crate::language::{self, key, number, tr};
+use crate::language::{self, key, number, say, tr};
 use egui::{Color32, RichText, Ui};
-use egui_plot::{AxisHints, GridInput, GridMark, Legend, Line, Plot, Points};
+use egui_plot::{AxisHints, GridInput, GridMark, Line, Points};
+use std::collections::BTreeSet;
 
 /// The colors of maximum and mean error of the harmonic-measure map and of the geodesic algorithm: Okabe–Ito.
 const INKS: [Color32; 4] = [
@@ -20,32 +22,33 @@ pub fn convergence_chart(ui: &mut Ui, rows: &[ConvergenceRow]) {
     let palette = Palette::of(ui.visuals());
     let text = key::convergence_about();
     ui.label(RichText::new(tr(text)).small().color(palette.weak));
-    let axes = |label: &str| AxisHints::new_x().label(label.to_owned());
-    Plot::new("convergence")
-        .sense(egui::Sense::hover())
-        .height(340.0)
-        .width(ui.available_width().clamp(280.0, 720.0))
-        .legend(Legend::default())
-        .allow_scroll(false)
-        .allow_drag(false)
-        .allow_zoom(false)
-        .allow_boxed_zoom(false)
-        .allow_axis_zoom_drag(false)
-        .allow_double_click_reset(false)
-        .x_grid_spacer(whole)
-        .y_grid_spacer(whole)
-        .custom_x_axes(vec![
-            axes(tr(key::boundary_samples_m())).formatter(|mark, _| format!("{:.0}", mark.value.exp2())),
-        ])
-        .custom_y_axes(vec![AxisHints::new_y().label(tr(key::error())).formatter(|mark, _| power_of_ten(mark.value))])
-        .show(ui, |plot| {
-            for (series, ink) in all_series(rows).into_iter().zip(INKS) {
-                let points: Vec<[f64; 2]> =
-                    series.points.iter().map(|&(m, e)| [f64::from(m).log2(), e.log10()]).collect();
-                plot.line(Line::new(series.name.clone(), points.clone()).color(ink));
-                plot.points(Points::new(series.name, points).color(ink).radius(3.5));
-            }
-        });
+    let series = all_series(rows);
+    let of_curve = |(series, ink): (&Series, Color32)| Entry { name: series.name.clone(), ink, dashed: false };
+    let entries: Vec<Entry> = series.iter().zip(INKS).map(of_curve).collect();
+    let measured: BTreeSet<u32> = rows.iter().map(|row| row.m).collect();
+    with_legend(ui, "convergence", &entries, |ui, plot| {
+        plot.grid_color(palette.border)
+            .x_grid_spacer(move |_| measured.iter().map(|&m| mark(f64::from(m).log2())).collect())
+            .y_grid_spacer(whole)
+            .custom_x_axes(vec![
+                AxisHints::new_x()
+                    .label(tr(key::boundary_samples_m()).to_owned())
+                    .formatter(|mark, _| format!("{:.0}", mark.value.exp2())),
+            ])
+            .custom_y_axes(vec![error_axis(tr(key::error())).formatter(|mark, _| power_of_ten(mark.value))])
+            .show(ui, |plot| {
+                for (series, ink) in series.into_iter().zip(INKS) {
+                    let points: Vec<[f64; 2]> =
+                        series.points.iter().map(|&(m, e)| [f64::from(m).log2(), e.log10()]).collect();
+                    plot.line(Line::new(series.name.clone(), points.clone()).color(ink).width(WIDTH));
+                    plot.points(Points::new(series.name, points).color(ink).radius(RADIUS));
+                }
+            });
+    });
+}
+
+fn mark(value: f64) -> GridMark {
+    GridMark { value, step_size: 1.0 }
 }
 
 struct Series {
@@ -65,7 +68,8 @@ fn all_series(rows: &[ConvergenceRow]) -> Vec<Series> {
 }
 
 fn series(method: Method, error: &str, points: Vec<(u32, f64)>) -> Series {
-    let order = fitted_order(&points).map_or_else(String::new, |p| format!(" ≈ m^−{}", number(p, 1)));
+    let order = fitted_order(&points).map(|p| format!(", {}", say(&key::fitted_order(number(p, 1)))));
+    let order = order.unwrap_or_default();
     Series { name: format!("{}, {error}{order}", tr(language::method(method))), points }
 }
 
@@ -73,5 +77,5 @@ fn series(method: Method, error: &str, points: Vec<(u32, f64)>) -> Series {
 #[allow(clippy::needless_pass_by_value, reason = "the plot hands it over")]
 fn whole(input: GridInput) -> Vec<GridMark> {
     let (low, high) = input.bounds;
-    (low.ceil() as i64..=high.floor() as i64).map(|k| GridMark { value: k as f64, step_size: 1.0 }).collect()
+    (low.ceil() as i64..=high.floor() as i64).map(|k| mark(k as f64)).collect()
 }

@@ -4,11 +4,12 @@
 use super::super::theme::Palette;
 use super::super::theme::widgets::{Segment, segmented};
 use super::chart::power_of_ten;
+use super::legend::{Entry, RADIUS, WIDTH, error_axis, with_legend};
 use crate::app::input::action::{Action, Actions, LadderAxis, LadderShown};
 use crate::figures::{LadderMethod, LadderRow, LadderShape, Reference};
 use crate::language::{self, Label, key, say, tr};
 use egui::{Color32, ComboBox, RichText, Ui};
-use egui_plot::{AxisHints, GridInput, GridMark, Legend, Line, LineStyle, Plot, Points};
+use egui_plot::{AxisHints, GridInput, GridMark, Line, LineStyle, Points};
 
 /// The colors of the methods: Okabe–Ito.
 const INKS: [Color32; 4] = [
@@ -30,41 +31,37 @@ const AXES: [Segment<LadderAxis>; 3] = [
 /// Shows the rows measured so far of the chosen outline.
 pub fn ladder_chart(ui: &mut Ui, rows: &[LadderRow], shown: LadderShown, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
-    let width = ui.available_width().clamp(280.0, 720.0);
-    ui.set_max_width(width);
     ui.label(RichText::new(tr(key::ladder_about())).small().color(palette.weak));
     choices(ui, shown, actions);
     if let Some(note) = note(shown.shape) {
         ui.label(RichText::new(tr(note)).small().color(palette.weak));
     }
     let rows: Vec<&LadderRow> = rows.iter().filter(|row| row.rung.shape == shown.shape).collect();
-    Plot::new("ladder")
-        .sense(egui::Sense::hover())
-        .height(340.0)
-        .width(width)
-        .legend(Legend::default())
-        .allow_scroll(false)
-        .allow_drag(false)
-        .allow_zoom(false)
-        .allow_boxed_zoom(false)
-        .allow_axis_zoom_drag(false)
-        .allow_double_click_reset(false)
-        .x_grid_spacer(whole)
-        .y_grid_spacer(pairs)
-        .custom_x_axes(vec![
-            AxisHints::new_x()
-                .label(tr(axis_label(shown.axis)).to_owned())
-                .formatter(|mark, _| power_of_ten(mark.value)),
-        ])
-        .custom_y_axes(vec![AxisHints::new_y().label(tr(key::error())).formatter(|mark, _| power_of_ten(mark.value))])
-        .show(ui, |plot| {
-            for (method, ink) in LadderMethod::ALL.into_iter().zip(INKS) {
-                for (name, points, style) in curves(&rows, method, shown.axis) {
-                    plot.line(Line::new(name.clone(), points.clone()).color(ink).style(style));
-                    plot.points(Points::new(name, points).color(ink).radius(3.5));
+    let curves: Vec<(NamedCurve, Color32)> = LadderMethod::ALL
+        .into_iter()
+        .zip(INKS)
+        .flat_map(|(method, ink)| curves(&rows, method, shown.axis).into_iter().map(move |curve| (curve, ink)))
+        .collect();
+    let entry = |((name, _, style), ink): &(NamedCurve, Color32)| Entry {
+        name: name.clone(),
+        ink: *ink,
+        dashed: *style != LineStyle::Solid,
+    };
+    let entries: Vec<Entry> = curves.iter().map(entry).collect();
+    let axis = AxisHints::new_x().label(tr(axis_label(shown.axis)).to_owned());
+    with_legend(ui, "ladder", &entries, |ui, plot| {
+        plot.grid_color(palette.border)
+            .x_grid_spacer(whole)
+            .y_grid_spacer(pairs)
+            .custom_x_axes(vec![axis.formatter(|mark, _| power_of_ten(mark.value))])
+            .custom_y_axes(vec![error_axis(tr(key::error())).formatter(|mark, _| power_of_ten(mark.value))])
+            .show(ui, |plot| {
+                for ((name, points, style), ink) in curves {
+                    plot.line(Line::new(name.clone(), points.clone()).color(ink).style(style).width(WIDTH));
+                    plot.points(Points::new(name, points).color(ink).radius(RADIUS));
                 }
-            }
-        });
+            });
+    });
 }
 
 fn choices(ui: &mut Ui, shown: LadderShown, actions: &mut Actions) {

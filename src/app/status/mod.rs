@@ -13,6 +13,9 @@ use crate::language::{key, number, say, tr};
 use crate::model::{Model, PointedImage, SideKernel};
 use egui::{Align, Label, Layout, RichText, Ui};
 
+/// The bar of Q̄ from the top of its line, relative to the font's size: Inter's capitals begin at 0.24.
+const BAR_ABOVE: f32 = 0.1;
+
 /// A longer time between two frames is not counted for the frame rate: nothing moved meanwhile.
 const PAUSE_SECONDS: f32 = 0.1;
 
@@ -88,7 +91,7 @@ fn facts(
     ui.horizontal_centered(|ui| {
         ui.spacing_mut().item_spacing.x = if narrow { 12.0 } else { 20.0 };
         if let Some(quality) = model.quality() {
-            ui.label(weak(format!("Q̄ {}", number(quality.q_mean, 3)))).on_hover_text(format!(
+            mean_q(ui, quality.q_mean, palette.weak).on_hover_text(format!(
                 "{}\n\n{}",
                 tr(words::QUALITY_TOOLTIP),
                 say(&key::largest_q(number(quality.q_max, 3)))
@@ -144,6 +147,17 @@ fn sizes(ui: &mut Ui, model: &Model) {
     let of_side = |(side, prepared)| format!("{}\n{}", words::side(side), words::details(prepared));
     let details = prepared().map(of_side).collect::<Vec<_>>().join("\n\n");
     ui.label(RichText::new(text).small().color(Palette::of(ui.visuals()).weak)).on_hover_text(details);
+}
+
+/// Q̄ and its value. The bar is painted: the combining character is not placed over the letter before it.
+fn mean_q(ui: &mut Ui, mean: f64, ink: egui::Color32) -> egui::Response {
+    let response = ui.label(RichText::new(format!("Q {}", number(mean, 3))).small().color(ink));
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let (left, above) = (response.rect.left(), response.rect.top() + BAR_ABOVE * font.size);
+    let width = text_width(ui, "Q", font);
+    ui.painter().hline(left..=left + width, above, egui::Stroke::new(1.0, ink));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, format!("Q̄ {}", number(mean, 3))));
+    response
 }
 
 /// The estimate of the error, or why there is none: sides are being sharpened, or stay with finite elements; and how far

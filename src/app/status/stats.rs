@@ -168,6 +168,8 @@ pub struct ScreenStats {
     pub cauchy_green: Option<Processor>,
     /// The map at the point under the pointer.
     pub pointed: Option<PointedImage>,
+    /// The file name of the own picture.
+    pub image: Option<String>,
     /// Where the handles are.
     pub handles: HandlePositions,
     /// The outline that is being reshaped.
@@ -359,7 +361,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 44] = [
+    const KEYS: [&str; 45] = [
         "backend",
         "boundary_checksum",
         "cauchy_green",
@@ -380,6 +382,7 @@ mod tests {
         "frame_ms",
         "generation",
         "handles",
+        "image",
         "image_of_mapped_point",
         "invariants",
         "kernels",
@@ -394,6 +397,7 @@ mod tests {
         "q_max",
         "q_mean",
         "ready",
+        "share",
         "source",
         "spoken",
         "surface_ms",

@@ -6,13 +6,14 @@ use super::surface::OrbitView;
 use super::view::View;
 use crate::conformal::PerSide;
 use crate::model::{PointedImage, ProbeImage};
+use crate::session::file::Attachment;
 use image::RgbaImage;
 use std::sync::Arc;
 
 /// An image that can be the texture.
 pub struct TextureImage {
-    /// The file's name.
-    pub name: String,
+    /// The file, which is saved and kept with the session.
+    pub file: Attachment,
     /// The same pixels as on the GPU, for exported pictures.
     pub pixels: Arc<RgbaImage>,
 }
@@ -33,4 +34,18 @@ pub struct Pictures {
     pub probe: Option<ProbeImage>,
     /// The image that was opened last.
     pub image: Option<TextureImage>,
+}
+
+impl Pictures {
+    /// Draws with another device from now on, to which nothing has been uploaded yet.
+    pub fn renew(&mut self, gpu: Option<Gpu>) {
+        (self.gpu, self.cells) = (gpu, CellUploads::default());
+        if let (Some(gpu), Some(image)) = (&self.gpu, &self.image) {
+            let (width, height) = image.pixels.dimensions();
+            // it fitted on the former device; on a smaller one the checkerboard of a missing image is shown
+            if gpu.set_image(image.pixels.as_raw(), width, height).is_err() {
+                self.image = None;
+            }
+        }
+    }
 }

@@ -165,12 +165,12 @@ impl Reports {
                     "m",
                     "N",
                     tr(key::stage_mesh()),
-                    tr(key::paper()),
+                    &of_paper(key::stage_mesh()),
                     tr(key::factor()),
                     tr(key::with_psi()),
-                    tr(key::paper()),
+                    &of_paper(key::with_psi()),
                     tr(key::zipper()),
-                    tr(key::paper()),
+                    &of_paper(key::zipper()),
                     tr(key::bff_paper()),
                 ],
             );
@@ -216,9 +216,9 @@ impl Reports {
                     "N₁",
                     tr(key::psi_match_x1_moves()),
                     tr(key::x2_moves()),
-                    tr(key::paper()),
+                    &of_paper(key::psi_match_x1_moves()),
                     tr(key::extend()),
-                    tr(key::paper()),
+                    &of_paper(key::extend()),
                 ],
             );
             for (index, paper) in TABLE_2.iter().enumerate() {
@@ -273,6 +273,11 @@ fn table_heading(ui: &mut Ui, table: Label, setting: BenchSetting) {
 
 fn grid(ui: &mut Ui, id: String, content: impl FnOnce(&mut Ui)) {
     Grid::new(id).striped(true).spacing([14.0, 3.0]).show(ui, content);
+}
+
+/// The title of the paper's column beside the one of this name.
+fn of_paper(column: Label) -> String {
+    say(&key::of_paper(tr(column)))
 }
 
 fn header(ui: &mut Ui, titles: &[&str]) {

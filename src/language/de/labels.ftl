@@ -41,6 +41,8 @@ angle_distortion = Winkelverzerrung Q = σ₁/σ₂
 
 boundary_samples_m = Randpunkte m
 error = Fehler
+fitted_order = Ordnung { $order }
+of_paper = { $column } (Artikel)
 max = Maximum
 mean = Mittel
 convergence_about = Abstand der Randbilder von den exakten, V-Form → Klecks; der Klecks ist etwa 2 breit.
@@ -126,6 +128,8 @@ undo = Rückgängig
 undo_tooltip = Den letzten Schritt zurücknehmen; ein Zug ist ein Schritt
 redo = Wiederholen
 redo_tooltip = Den Schritt noch einmal tun
+recent_sessions = Zuletzt
+recent_tooltip = Die Sitzung, wie sie verlassen wurde, mit Schritten zum Rückgängigmachen, Flächen und Bild
 new_session = Neu
 new_session_tooltip = Wieder mit dem ersten Bild beginnen; lässt sich rückgängig machen
 open = Öffnen…
@@ -460,7 +464,7 @@ with_psi = mit Ψ
 zipper = Zipper
 bff_paper = BFF, Artikel
 psi_match_x1_moves = ψ + Abgleich, x₁ bewegt
-x2_moves = x₂ bewegt
+x2_moves = ψ + Abgleich, x₂ bewegt
 extend = Fortsetzung
 stage_mesh = vernetzen
 
@@ -482,6 +486,9 @@ target_heading = Bild
 ground = Grund
 transparent = Durchsichtig
 transparent_tooltip = Ohne die Farbe hinter der Abbildung
+dots = Punkte
+both_points = Innerer Punkt und Randpunkt
+both_points_tooltip = Die Punkte x und y auf beiden Seiten
 coordinates = Koordinaten
 size = Größe
 width_pixels = Breite in Pixeln
@@ -595,7 +602,7 @@ forward_tooltip = Das Netz des Urbilds wird in das Bild abgebildet
 backward_tooltip = Das Netz des Bildes wird in das Urbild abgebildet und liest dort sein Muster
 texture_tooltip = Das Muster, das die Abbildung überträgt
 angle_tooltip = Winkelverzerrung Q = σ₁/σ₂ jedes Dreiecks: 1, wo Winkel erhalten bleiben
-area_tooltip = Flächenverzerrung log₂(σ₁σ₂) jedes Dreiecks, vom Urbild zum Bild: +1 ist die doppelte Fläche, −1 die halbe
+area_tooltip = Flächenverzerrung log₂(σ₁σ₂) jedes Dreiecks, vom Urbild zum Bild: +1 ist die doppelte Fläche, −1 die halbe. Die Farben gehen vom Mittel aus
 checker_tooltip = Quadrate; Winkel von 90° bleiben Winkel von 90°
 lines = Linien
 polar_tooltip = Kreise und Strahlen um den inneren Punkt

@@ -23,6 +23,8 @@ not_saved = { $name } wurde nicht gesichert ({ $reason })
 last_session_not_opened = Was vom letzten Mal aufgehoben war, ließ sich nicht öffnen: { $reason }
 link_not_opened = Der Link ließ sich nicht öffnen: { $reason }
 link_misses_outline = Der Link enthält den Umriss „{ $name }“ nicht ({ $side }): seine Datei dort öffnen.
+files_not_kept = Die Sitzung wird für das nächste Mal ohne ihre Flächen und Bilder aufgehoben ({ $reason }). Als Datei gesichert bleibt alles erhalten.
+only_session_kept = Die Sitzung wird für das nächste Mal aufgehoben, aber ohne ihre Flächen, Bilder und rückgängig zu machenden Schritte ({ $reason }). Als Datei gesichert bleibt alles erhalten.
 session_not_kept = Die Sitzung wird nicht für das nächste Mal aufgehoben ({ $reason }). Stattdessen als Datei sichern.
 pasted_text_not_shown = { $reason }. Der Text wird nicht gezeigt: er hat { $bytes } Bytes, und das Feld fasst höchstens { $limit }
 disk_stands_in = für den Umriss „{ $name }“ ({ $side }), der nicht hier ist, steht eine Scheibe
@@ -57,6 +59,8 @@ no_canvas_for_image = der Browser hat keine Zeichenfläche dafür
 size_does_not_fit = seine Größe passt nicht
 answer_unreadable = die Antwort war nicht zu lesen
 request_unreadable = die Anfrage war nicht zu lesen
+worker_ended = er wurde beendet
+worker_silent = er antwortete nicht mehr
 script_not_loaded = das Skript ließ sich nicht laden
 no_page_to_draw_in = Es gibt keine Seite, in der gezeichnet werden könnte.
 page_without_canvas = Die Seite hat keine Zeichenfläche.
@@ -396,6 +400,15 @@ zipper_point_outside = der Punkt ({ $x }; { $y }) liegt nicht innerhalb der Kurv
 
 ## session
 
+age_minutes = { $count } min
+age_hours = { $count } h
+age_days = { $count } T
+session_file_damaged = die Datei ist beschädigt: Sie wurde unterwegs abgeschnitten oder verändert ({ $reason })
+session_file_part_missing = in der Datei fehlt der Teil „{ $part }“
+session_file_part_broken = der Teil „{ $part }“ der Datei ist beschädigt ({ $reason })
+session_file_part_too_large = der Teil „{ $part }“ der Datei ist zu groß: höchstens { $limit } MiB
+session_file_parts = die Datei hat zu viele Teile: höchstens { $limit }
+session_file_in_part = der Teil „{ $part }“ der Datei lässt sich nicht lesen: { $error }
 session_file_too_large = die Datei ist zu groß für eine Sitzung: höchstens { $limit } MiB
 session_file_malformed = das ist keine Sitzung von riemap, oder die Datei ist beschädigt. Eine andere Datei öffnen, oder den Link der Sitzung ({ $reason })
 session_file_no_session = die Datei ist keine Sitzung von riemap: Es steht kein "riemap": { $ours } darin
@@ -435,6 +448,7 @@ choice_setting = Einstellung
 choice_outline = Umriss
 choice_surface = Fläche
 out_of_range = { $what } ist { $value }; möglich ist { $low } bis { $high }
+outline_shortened = der Umriss „{ $name }“ ({ $side }) hat im Link { $to } seiner { $from } Punkte: Er weicht um höchstens { $deviation } seiner Größe ab
 outline_left_out = der Umriss „{ $name }“ ({ $side }) ist nicht im Link: { $reason }. Er reist als Datei
 
 ## figures

@@ -41,6 +41,8 @@ angle_distortion = Angle distortion Q = σ₁/σ₂
 
 boundary_samples_m = boundary samples m
 error = error
+fitted_order = order { $order }
+of_paper = { $column } (paper)
 max = max
 mean = mean
 convergence_about = Distance of the boundary images from the exact ones, V-shape → blob; the blob is about 2 across.
@@ -126,6 +128,8 @@ undo = Undo
 undo_tooltip = Take the last step back; a drag is one step
 redo = Redo
 redo_tooltip = Make it again
+recent_sessions = Recent
+recent_tooltip = The session as it was left, with its undo steps, surfaces and picture
 new_session = New
 new_session_tooltip = Begin with the first picture again; it can be undone
 open = Open…
@@ -460,7 +464,7 @@ with_psi = with Ψ
 zipper = Zipper
 bff_paper = BFF, paper
 psi_match_x1_moves = ψ + match, x₁ moves
-x2_moves = x₂ moves
+x2_moves = ψ + match, x₂ moves
 extend = extend
 stage_mesh = mesh
 
@@ -482,6 +486,9 @@ target_heading = Target
 ground = Ground
 transparent = Transparent
 transparent_tooltip = Without the colour behind the map
+dots = Dots
+both_points = Interior and boundary point
+both_points_tooltip = The dots of x and y on both sides
 coordinates = Coordinates
 size = Size
 width_pixels = Width in pixels
@@ -595,7 +602,7 @@ forward_tooltip = The source's mesh is mapped into the target
 backward_tooltip = The target's mesh is mapped into the source and looks its texture up there
 texture_tooltip = The pattern that the map carries
 angle_tooltip = Angle distortion Q = σ₁/σ₂ of every triangle: 1 where angles are kept
-area_tooltip = Area distortion log₂(σ₁σ₂) of every triangle, from source to target: +1 is twice the area, −1 half of it
+area_tooltip = Area distortion log₂(σ₁σ₂) of every triangle, from source to target: +1 is twice the area, −1 half of it. The colours are about the mean
 checker_tooltip = Squares; angles of 90° stay angles of 90°
 lines = Lines
 polar_tooltip = Circles and rays about the interior point

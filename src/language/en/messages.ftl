@@ -23,6 +23,8 @@ not_saved = { $name } was not saved: { $reason }
 last_session_not_opened = What was kept from the last time could not be opened: { $reason }
 link_not_opened = The link could not be opened: { $reason }
 link_misses_outline = The link does not carry the { $side }'s outline "{ $name }": open its file there.
+files_not_kept = The session is kept for the next time without its surfaces and pictures: { $reason }. Save it as a file to keep everything.
+only_session_kept = The session is kept for the next time, but not its surfaces, pictures and undo steps: { $reason }. Save it as a file to keep everything.
 session_not_kept = The session is not kept for the next time: { $reason }. Save it as a file instead.
 pasted_text_not_shown = { $reason }. The text is not shown: it has { $bytes } bytes, and the field takes { $limit } at most
 disk_stands_in = a disk stands in for the { $side }'s outline "{ $name }", which is not here
@@ -57,6 +59,8 @@ no_canvas_for_image = the browser has no canvas for it
 size_does_not_fit = its size does not fit
 answer_unreadable = its answer could not be read
 request_unreadable = the request to it could not be read
+worker_ended = it was terminated
+worker_silent = it did not respond any more
 script_not_loaded = its script could not be loaded
 no_page_to_draw_in = There is no page to draw in.
 page_without_canvas = The page has no canvas.
@@ -396,6 +400,15 @@ zipper_point_outside = the point ({ $x }, { $y }) is not inside the curve throug
 
 ## session
 
+age_minutes = { $count } min
+age_hours = { $count } h
+age_days = { $count } d
+session_file_damaged = the file is damaged: it was cut off or changed on its way ({ $reason })
+session_file_part_missing = the part "{ $part }" is missing in the file
+session_file_part_broken = the part "{ $part }" of the file is damaged: { $reason }
+session_file_part_too_large = the part "{ $part }" of the file is too large: { $limit } MiB are the most
+session_file_parts = the file has too many parts: { $limit } are the most
+session_file_in_part = the part "{ $part }" of the file cannot be read: { $error }
 session_file_too_large = the file is too large for a session: { $limit } MiB are the most
 session_file_malformed = this is not a session of riemap, or the file is damaged. Open another file, or the session's link instead ({ $reason })
 session_file_no_session = the file is no session of riemap: there is no "riemap": { $ours } in it
@@ -435,6 +448,7 @@ choice_setting = setting
 choice_outline = outline
 choice_surface = surface
 out_of_range = { $what } is { $value }; it must be from { $low } to { $high }
+outline_shortened = the { $side }'s outline "{ $name }" has { $to } of its { $from } points in the link: it moves by at most { $deviation } of its size
 outline_left_out = the { $side }'s outline "{ $name }" is not in the link: { $reason }. It travels as a file
 
 ## figures

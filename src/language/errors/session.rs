@@ -2,16 +2,22 @@
 
 use crate::language::{Label, Message, key};
 use crate::session::file::{self, FileError};
-use crate::session::link::{Choice, LeftOut, LinkError, MAX_LENGTH, NEWEST, NotCarried};
+use crate::session::link::{Choice, LeftOut, LinkError, MAX_LENGTH, NEWEST, NotCarried, ShortenedOutline, percent};
 use crate::session::{OutOfRange, Quantity};
 
 impl From<&FileError> for Message {
     fn from(error: &FileError) -> Self {
         match error {
-            FileError::TooLarge => key::session_file_too_large(file::MAX_BYTES >> 20),
+            FileError::TooLarge { limit } => key::session_file_too_large(limit >> 20),
+            FileError::Damaged(reason) => key::session_file_damaged(reason.as_str()),
+            FileError::MissingPart(part) => key::session_file_part_missing(part.as_str()),
+            FileError::BrokenPart { part, reason } => key::session_file_part_broken(part.as_str(), reason.as_str()),
+            FileError::PartTooLarge { part, limit } => key::session_file_part_too_large(part.as_str(), limit >> 20),
+            FileError::TooManyParts { limit } => key::session_file_parts(*limit),
+            FileError::InPart { part, error } => key::session_file_in_part(part.as_str(), Message::from(&**error)),
             FileError::Malformed(reason) => key::session_file_malformed(reason.as_str()),
             FileError::NoSession => key::session_file_no_session(file::NEWEST),
-            FileError::Version { found } => key::session_file_version(*found, file::NEWEST),
+            FileError::Version { found } => key::session_file_version(*found, file::FORMAT),
             FileError::OutOfRange(reason) => key::session_file_out_of_range(Message::from(reason)),
             FileError::Outline { side, reason } => key::session_file_outline(*side, Message::from(reason)),
         }
@@ -46,6 +52,12 @@ impl From<&NotCarried> for Message {
 impl From<&LeftOut> for Message {
     fn from(LeftOut { side, name, reason }: &LeftOut) -> Self {
         key::outline_left_out(*side, name, Message::from(reason))
+    }
+}
+
+impl From<&ShortenedOutline> for Message {
+    fn from(ShortenedOutline { side, name, from, to, deviation }: &ShortenedOutline) -> Self {
+        key::outline_shortened(*side, name, *from, *to, percent(*deviation))
     }
 }
 

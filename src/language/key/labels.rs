@@ -35,7 +35,7 @@ keys_of_labels! {
     // file menu
     file, link_tooltip, undo, undo_tooltip, redo, redo_tooltip, new_session, new_session_tooltip, open,
     open_session_tooltip, save_session, save_session_tooltip, copy_link, full_screen, presentation_size, desk_size,
-    open_export, export_tooltip,
+    open_export, export_tooltip, recent_sessions, recent_tooltip,
     // files
     images, sessions, outlines_and_surfaces,
     // gallery
@@ -103,7 +103,7 @@ keys_of_labels! {
     link_copied,
     // settings
     show, unit_box, true_scale, unit_box_tooltip, true_scale_tooltip, both, source_heading, target_heading, ground,
-    transparent, transparent_tooltip, coordinates, size, width_pixels, height_pixels, motion, duration,
+    transparent, transparent_tooltip, dots, both_points, both_points_tooltip, coordinates, size, width_pixels, height_pixels, motion, duration,
     duration_tooltip, pictures, pictures_tooltip,
     // shapes
     open_file, draw_freehand, draw_freehand_tooltip, draw_lines, draw_lines_tooltip,
@@ -182,7 +182,7 @@ keys_of_messages! {
     // play panel
     seconds_for_turn(seconds);
     // reports
-    measuring_rows(count); paper_machine_and_here(machine);
+    measuring_rows(count); paper_machine_and_here(machine); fitted_order(order); of_paper(column);
     // settings
     per_second(rate);
     // side panel

@@ -8,7 +8,7 @@ keys_of_labels! {
     another_answer, no_map, no_surface_from_file, open_surface_file,
     // platform
     internal_error, no_folder, browser_stores_nothing, no_page, no_canvas_for_image, size_does_not_fit,
-    answer_unreadable, request_unreadable, script_not_loaded, no_page_to_draw_in, page_without_canvas, no_such_row,
+    answer_unreadable, request_unreadable, script_not_loaded, worker_ended, worker_silent, no_page_to_draw_in, page_without_canvas, no_such_row,
     dialog_too_late,
     // geometry
     polygon_zero_area,
@@ -59,7 +59,7 @@ keys_of_messages! {
     both_sentences(first, second); sentence_and(first, second); address_unknown(asked, option, known);
     address_unknown_and_more(asked, more, option, known); address_keeps(control); graphics_device_lost(reason);
     planar_map_format(format); surfaces_map_format(format); not_saved(name, reason); last_session_not_opened(reason); link_not_opened(reason);
-    link_misses_outline(side, name); session_not_kept(reason); pasted_text_not_shown(reason, bytes, limit);
+    link_misses_outline(side, name); session_not_kept(reason); files_not_kept(reason); only_session_kept(reason); pasted_text_not_shown(reason, bytes, limit);
     disk_stands_in(side, name); surface_not_in_link(name); link_copied_but(reasons); grey_in_colours(what);
     preparation_stopped(reason); session_not_saved(reason); no_link_to_session(reason); no_window(cause);
     surface_travels_as_file(name); surface_preparation_stopped(reason); no_disk_coordinates(side, reason);
@@ -128,11 +128,14 @@ keys_of_messages! {
     // zipper
     zipper_too_few_points(count); zipper_not_finite(index); zipper_repeated(index); zipper_point_outside(x, y);
     // session
+    age_minutes(count); age_hours(count); age_days(count);
+    session_file_damaged(reason); session_file_part_missing(part); session_file_part_broken(part, reason);
+    session_file_part_too_large(part, limit); session_file_parts(limit); session_file_in_part(part, error);
     session_file_too_large(limit); session_file_malformed(reason); session_file_no_session(ours);
     session_file_version(found, ours); session_file_out_of_range(reason); session_file_outline(side, reason);
     link_too_long(length, limit); link_version(found, ours); link_unknown(what, name); link_out_of_range(reason);
     link_outline(side, reason); not_carried_too_long(points, limit); not_carried_not_simple(reason);
-    out_of_range(what, value, low, high); outline_left_out(side, name, reason);
+    out_of_range(what, value, low, high); outline_left_out(side, name, reason); outline_shortened(side, name, from, to, deviation);
     // render
     image_data_empty(width, height); image_data_byte_count(width, height, expected, actual); render_no_adapter(cause);
     render_no_device(adapter, cause); render_size(width, height, limit); render_viewport_count(limit, count);

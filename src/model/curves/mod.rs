@@ -175,9 +175,9 @@ fn reparameterisation(mapped: &Anchored, other: &Anchored, images: &[BoundaryPoi
 }
 
 /// Reduces a curve to at most four points in each of `columns` equal parts of [0, 1]: the first, the lowest, the
-/// highest and the last. Drawn that many pixels wide, the curve looks the same.
+/// highest and the last; to the first alone where it is monotone. Drawn that many pixels wide, the curve looks the same.
 pub fn decimate(points: &[[f64; 2]], columns: usize) -> Vec<[f64; 2]> {
-    if points.len() <= 4 * columns {
+    if points.len() <= columns {
         return points.to_vec();
     }
     let column = |p: &[f64; 2]| (p[0] * columns as f64) as usize;
@@ -189,7 +189,12 @@ pub fn decimate(points: &[[f64; 2]], columns: usize) -> Vec<[f64; 2]> {
         let high = (0..=last).max_by(by_value).unwrap_or(0);
         let mut kept = [0, low.min(high), low.max(high), last].to_vec();
         kept.dedup();
-        result.extend(kept.into_iter().map(|i| part[i]));
+        // a monotone part continues in the next column: pieces shorter than a pixel would be drawn with uneven width
+        let is_monotone = kept == [0, last];
+        result.extend(kept.into_iter().take(if is_monotone { 1 } else { 4 }).map(|i| part[i]));
+    }
+    if let Some(last) = points.last().filter(|last| result.last() != Some(last)) {
+        result.push(*last);
     }
     result
 }

@@ -139,7 +139,11 @@ fn decimation_keeps_every_peak_and_few_points() {
     assert!(few.contains(&points[12_345]) && few.contains(&points[12_346]));
     assert!(few.windows(2).all(|pair| pair[0][0] < pair[1][0]));
     assert_eq!((few[0], few[few.len() - 1]), (points[0], points[40_000]));
-    assert_eq!(decimate(&points[..900], 300), points[..900]);
+    assert_eq!(decimate(&points[..300], 300), points[..300]);
+    let rising: Vec<[f64; 2]> = (0..=4000).map(|k| f64::from(k) / 4000.0).map(|x| [x, x * x]).collect();
+    let one_each = decimate(&rising, 300);
+    assert!(one_each.len() <= 302, "{}", one_each.len());
+    assert!(one_each.windows(2).take(300).all(|pair| pair[1][0] - pair[0][0] > 0.7 / 300.0), "no shorter pieces");
 }
 
 #[test]

@@ -111,6 +111,8 @@ pub struct ExportRequest {
     pub size: [u32; 2],
     /// Whether the background of pictures is transparent.
     pub transparent: bool,
+    /// Whether pictures show the points as dots.
+    pub dots: bool,
     /// The side shown in pictures and drawings; `None`: both.
     pub side: Option<Side>,
     /// Whether a surface's texture coordinates are moved and scaled into the unit box.
@@ -133,6 +135,7 @@ impl Default for ExportRequest {
             kind: Kind::Picture,
             size: [1600, 900],
             transparent: false,
+            dots: true,
             side: None,
             unit: true,
             path: Path::Boundary,
@@ -147,8 +150,8 @@ impl Default for ExportRequest {
 impl ExportRequest {
     /// The settings of a picture, with strokes for a dark or a light background.
     pub fn shot(&self, dark: bool) -> Shot {
-        let Self { size, transparent, side, .. } = *self;
-        Shot { size, dark, transparent, side }
+        let Self { size, transparent, dots, side, .. } = *self;
+        Shot { size, dark, transparent, dots, side }
     }
 
     /// The number of digits to ask for.

@@ -28,8 +28,8 @@ fn settle(model: &mut Model, first: Side) -> Vec<Message> {
         requests.sort_by_key(|(side, _)| *side != first);
         for (side, request) in requests {
             match answer(model, side, &request) {
-                Some(Arrived::Session(session, later)) => {
-                    model.dispatch(Command::Open(session), 0.0);
+                Some(Arrived::Session(archive, later)) => {
+                    model.dispatch(Command::Open(Box::new(archive.session().clone())), 0.0);
                     model.open_later(later);
                 }
                 Some(Arrived::NoSession(message)) => refused.push(message),

@@ -4,6 +4,7 @@ use super::*;
 use crate::conformal::PrepareSettings;
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
+use crate::session::Session;
 use crate::session::{Command, OutlineSpec, SurfaceShape, SurfaceSpec, file};
 use crate::surface::SurfacePreset;
 use crate::worker::{Request, Task, run};
@@ -175,8 +176,8 @@ fn a_session_file_is_handed_to_the_app_and_changes_nothing() {
     let before = model.session().clone();
     let wanted = before.clone().and([Command::SetTextureScale(21.0)]);
     model.open_session_file("a.riemap", file::write(&wanted).unwrap().into_bytes());
-    let Some(Arrived::Session(session, _)) = settle(&mut model) else { panic!("no session") };
-    assert_eq!((&*session, model.session()), (&wanted, &before));
+    let Some(Arrived::Session(archive, _)) = settle(&mut model) else { panic!("no session") };
+    assert_eq!((archive.session(), model.session()), (&wanted, &before));
     model.open_session_file("a.riemap", vec![1, 2]);
     let Some(Arrived::NoSession(why)) = settle(&mut model) else { panic!("a session") };
     assert!(why.english().starts_with("a.riemap: ") && model.is_ready());

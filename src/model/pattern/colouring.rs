@@ -2,8 +2,9 @@
 //!
 //! Q has a fixed range, so that maps and resolutions can be compared (as in the
 //! paper's Figure 9). The area distortion spans powers of ten in one map and a few
-//! per cent in another: its range is symmetric and the smallest of a few that holds
-//! nearly the whole area, and it is changed only if it no longer fits, so that colors do not flicker.
+//! per cent in another, about a mean that depends on the units of length: its range is symmetric about the mean over the
+//! mapped mesh's area and the smallest of a few that holds nearly the whole area, and it is changed only if it no longer
+//! fits, so that colors do not flicker.
 
 use crate::conformal::{Direction, Histogram, TriangleDistortion};
 use crate::language::{Label, decimal, key, number};
@@ -14,8 +15,8 @@ use crate::session::Colouring;
 /// Q from 1 to here: 1.5 is an angle of 90° seen as 67°, plainly wrong to the eye.
 const ANGLE_TOP: f64 = 1.5;
 
-/// Ranges of log₂ of the area's factor, either way.
-const AREA_RANGES: [f64; 9] = [1.0, 2.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0];
+/// Ranges of log₂ of the area's factor, either way from its mean. A quarter is a factor of 1.2.
+const AREA_RANGES: [f64; 11] = [0.25, 0.5, 1.0, 2.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0];
 /// A range fits while no more than this share of the area lies beyond it, …
 const AREA_BEYOND: f64 = 0.02;
 /// … and is too wide when less than this share lies beyond a smaller one.
@@ -53,15 +54,21 @@ impl ColourScale {
             Colouring::Texture => return None,
             Colouring::Angle => (ColourMap::Cividis, 1.0, ANGLE_TOP),
             Colouring::Area => {
-                let before = before.filter(|scale| scale.colouring == colouring).map(|scale| scale.high);
-                let range = area_range(triangles, before);
-                (ColourMap::Diverging, -range, range)
+                let before = before.filter(|scale| scale.colouring == colouring).map(Self::half_range);
+                let mean = mean_area_log2(triangles);
+                let range = area_range(triangles, mean, before);
+                let mean = if direction == Direction::Forward { mean } else { -mean };
+                (ColourMap::Diverging, mean - range, mean + range)
             }
         };
         let mut scale = Self { colouring, direction, map, low, high, histogram: None };
         let values = triangles.iter().filter(|t| !t.collapsed).map(|t| (scale.value(t), t.area));
         scale.histogram = Histogram::new(values, low, high, BINS);
         Some(scale)
+    }
+
+    fn half_range(&self) -> f64 {
+        0.5 * (self.high - self.low)
     }
 
     /// The quantity that is shown.
@@ -89,12 +96,20 @@ impl ColourScale {
     /// The values at the ticks, with their words.
     pub fn ticks(&self) -> Vec<(f64, String)> {
         match self.colouring {
-            Colouring::Area => [-1.0, -0.5, 0.0, 0.5, 1.0].map(|part| part * self.high).map(|v| (v, signed(v))).into(),
+            Colouring::Area => [-1.0, -0.5, 0.0, 0.5, 1.0].map(|part| self.area_tick(part)).into(),
             _ => (0..=4)
                 .map(|k| 1.0 + 0.25 * f64::from(k) * (self.high - 1.0))
                 .map(|v| (v, tick(v, self.high)))
                 .collect(),
         }
+    }
+
+    /// The value at a part of the range from the mean, in digits that tell ticks apart.
+    fn area_tick(&self, part: f64) -> (f64, String) {
+        let range = self.half_range();
+        let value = 0.5 * (self.low + self.high) + part * range;
+        let unit = if range < 4.0 { 100.0 } else { 10.0 };
+        (value, signed((unit * value).round() / unit))
     }
 
     /// The mean, in the digits that it is shown with.
@@ -126,18 +141,25 @@ pub fn grey_added(origins: impl Iterator<Item = Option<TriangleId>>, codes: &mut
     }
 }
 
-fn area_range(triangles: &[TriangleDistortion], before: Option<f64>) -> f64 {
+/// The mean of log₂ of the area's factor over the mapped mesh's area; 0 without area.
+fn mean_area_log2(triangles: &[TriangleDistortion]) -> f64 {
+    let there = triangles.iter().filter(|t| !t.collapsed && t.area_log2.is_finite());
+    let [sum, total] = there.fold([0.0; 2], |[sum, total], t| [sum + t.area * t.area_log2, total + t.area]);
+    if total > 0.0 { sum / total } else { 0.0 }
+}
+
+fn area_range(triangles: &[TriangleDistortion], mean: f64, before: Option<f64>) -> f64 {
     // the area beyond range k − 1 but not beyond range k; last, that beyond all
     let mut between = [0.0; AREA_RANGES.len() + 1];
     for triangle in triangles.iter().filter(|t| !t.collapsed) {
-        let size = triangle.area_log2.abs();
+        let size = (triangle.area_log2 - mean).abs();
         between[AREA_RANGES.iter().position(|&range| size <= range).unwrap_or(AREA_RANGES.len())] += triangle.area;
     }
     let total: f64 = between.iter().sum();
     let serves = |k: usize, share: f64| between[k + 1..].iter().sum::<f64>() <= share * total;
     let last = AREA_RANGES.len() - 1;
     let smallest = |share| AREA_RANGES[(0..last).find(|&k| serves(k, share)).unwrap_or(last)];
-    match before.and_then(|range| AREA_RANGES.iter().position(|&r| r == range)) {
+    match before.and_then(|range| AREA_RANGES.iter().position(|&r| (r - range).abs() < 1e-6 * r)) {
         Some(k) if serves(k, AREA_BEYOND) => AREA_RANGES[k].min(smallest(AREA_SPARE)),
         _ => smallest(AREA_BEYOND),
     }
@@ -174,18 +196,33 @@ mod tests {
         for (direction, expected) in [(Direction::Forward, 0.8), (Direction::Backward, -0.8)] {
             let scale = ColourScale::new(Colouring::Area, direction, &triangles, None).unwrap();
             assert_eq!(scale.histogram.as_ref().unwrap().mean, expected);
-            assert_eq!((scale.low, scale.high), (-1.0, 1.0));
+            assert_eq!((scale.low, scale.high), (expected - 0.25, expected + 0.25), "about the mean");
         }
     }
 
     #[test]
     fn the_area_range_holds_nearly_everything_and_is_kept_while_it_serves() {
         let with_outliers = |share: f64| [triangle(1.0, 3.0, share), triangle(1.0, 0.2, 1.0 - share)];
-        assert_eq!(area_range(&with_outliers(0.03), None), 4.0);
-        assert_eq!(area_range(&with_outliers(0.01), None), 1.0);
-        assert_eq!(area_range(&with_outliers(0.01), Some(4.0)), 4.0, "between the limits the old one stays");
-        assert_eq!(area_range(&with_outliers(0.001), Some(4.0)), 1.0);
-        assert_eq!(area_range(&with_outliers(0.03), Some(1.0)), 4.0);
+        let range = |share: f64, before| area_range(&with_outliers(share), 0.2, before);
+        assert_eq!(range(0.03, None), 4.0);
+        assert_eq!(range(0.01, None), 0.25);
+        assert_eq!(range(0.01, Some(4.0)), 4.0, "between the limits the old one stays");
+        assert_eq!(range(0.001, Some(4.0)), 0.25);
+        assert_eq!(range(0.03, Some(0.25)), 4.0);
+    }
+
+    #[test]
+    fn another_unit_of_length_changes_no_color_of_the_area() {
+        let of = |shift: f64| {
+            let triangles = [triangle(1.0, shift + 0.3, 1.0), triangle(1.0, shift - 0.7, 2.0)];
+            let scale = ColourScale::new(Colouring::Area, Direction::Forward, &triangles, None).unwrap();
+            let mut found = Vec::new();
+            codes(Some(&scale), &triangles, &mut found);
+            let ticks: Vec<String> = scale.ticks().into_iter().map(|(_, text)| text).collect();
+            (found, ticks)
+        };
+        assert_eq!(of(0.0).0, of(8.0).0);
+        assert_eq!(of(8.0).1, ["+6.63", "+7.13", "+7.63", "+8.13", "+8.63"], "about 8 − 0.37, one either way");
     }
 
     #[test]

@@ -1,36 +1,49 @@
 //! The session with which the app starts: from its address, from the stored copy, or the default.
 
 use crate::language::{Message, key};
+use crate::session::file::{Archive, FileError};
 use crate::session::link::{self, Decoded, MissingOutline};
 use crate::session::{Session, file};
 
 /// The session to start with.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone)]
 pub struct Start {
-    /// The session.
-    pub session: Session,
+    /// The session, its undo steps and its files.
+    pub archive: Archive,
+    /// Whether it is the kept one, with its steps.
+    pub is_kept: bool,
     /// The outlines that its link only names.
     pub missing: Vec<MissingOutline>,
     /// The errors of the link and the copy.
     pub message: Option<Message>,
 }
 
-/// The session to start with: that of the link in the `address`, else the stored copy `kept`, else the default.
+/// What was kept from the last run.
+#[derive(Debug, Default)]
+pub struct KeptCopies<'a> {
+    /// The session alone, as text: written at once, and so never older than the record.
+    pub text: Option<&'a str>,
+    /// The record with undo steps and files; or why it cannot be read.
+    pub record: Option<Result<Archive, FileError>>,
+}
+
+/// The session to start with: that of the link in the `address`, else what was `kept`, else the default.
 ///
-/// If the link in the address is that of the copy, as after a reload, the copy is used, since it also holds what
+/// If the link in the address is that of what was kept, as after a reload, that is used, since it also holds what
 /// a link may leave out. The decoded links are compared, because another version may encode the same link differently.
-pub fn first_session(address: Option<&str>, kept: Option<&str>) -> Start {
-    let (kept, user_error) = match kept.map(|text| file::read(text.as_bytes())) {
-        Some(Ok(kept)) => (Some(kept), None),
-        Some(Err(error)) => (None, Some(key::last_session_not_opened(Message::from(&error)))),
-        None => (None, None),
-    };
+/// A text that differs from the record is a later step of it.
+pub fn first_session(address: Option<&str>, kept: KeptCopies<'_>) -> Start {
+    let (copies, user_error) = readable(kept);
     let Some(address) = address else {
-        return Start { session: kept.unwrap_or_default(), missing: Vec::new(), message: user_error };
+        let kept = copies.into_iter().next();
+        let (is_kept, archive) = (kept.is_some(), kept.unwrap_or_else(|| Archive::from(Session::default())));
+        return Start { archive, is_kept, missing: Vec::new(), message: user_error };
     };
     let opened = link::decode(address);
-    if let Some(kept) = kept.filter(|kept| opened.as_ref().is_ok_and(|opened| is_link_of(opened, kept))) {
-        return Start { session: kept, ..Start::default() };
+    let mut of_address =
+        copies.into_iter().filter(|kept| opened.as_ref().is_ok_and(|opened| is_link_of(opened, kept.session())));
+    if let Some(archive) = of_address.next() {
+        return Start { archive, is_kept: true, missing: Vec::new(), message: None };
     }
     let (Decoded { session, missing }, about_link) = match opened {
         Ok(decoded) => {
@@ -43,7 +56,26 @@ pub fn first_session(address: Option<&str>, kept: Option<&str>) -> Start {
         }
     };
     let messages = about_link.into_iter().chain(user_error);
-    Start { session, missing, message: Message::joined(messages, key::sentence_and) }
+    let message = Message::joined(messages, key::sentence_and);
+    Start { archive: Archive::from(session), is_kept: false, missing, message }
+}
+
+/// What can be read of what was kept, the newest first, and why the rest cannot.
+fn readable(kept: KeptCopies<'_>) -> (Vec<Archive>, Option<Message>) {
+    let text = kept.text.map(|text| file::read(text.as_bytes())).transpose();
+    let record = kept.record.transpose();
+    let failed = |error: &FileError| key::last_session_not_opened(Message::from(error));
+    let error = record.as_ref().err().or(text.as_ref().err()).map(failed);
+    let (text, record) = (text.unwrap_or_default(), record.unwrap_or_default());
+    let newer = text.filter(|text| record.as_ref().is_none_or(|record| record.session() != text));
+    let newer = newer.map(|session| match record.clone() {
+        Some(mut later) => {
+            later.history.settle(&session);
+            later
+        }
+        None => Archive::from(session),
+    });
+    (newer.into_iter().chain(record).collect(), error)
 }
 
 /// Whether the link of `session` decodes to `opened`.
@@ -63,15 +95,20 @@ mod tests {
     use super::*;
     use crate::session::{Command, scaled};
 
+    fn first(address: Option<&str>, text: Option<&str>) -> Start {
+        first_session(address, KeptCopies { text, record: None })
+    }
+
     #[test]
     fn the_address_comes_before_the_copy_and_that_before_the_default() {
         let kept = file::write(&scaled(5.0)).unwrap();
         let other = link::encode(&scaled(9.0)).unwrap().fragment;
-        assert_eq!(first_session(None, None), Start::default());
-        assert_eq!(first_session(None, Some(&kept)).session, scaled(5.0));
-        assert_eq!(first_session(Some(&other), Some(&kept)).session, scaled(9.0));
-        let damaged = first_session(Some("#s=1.AAAA"), Some(&kept));
-        assert_eq!(damaged.session, Session::default());
+        let start = first(None, None);
+        assert_eq!((start.archive.session(), start.is_kept), (&Session::default(), false));
+        assert_eq!(first(None, Some(&kept)).archive.session(), &scaled(5.0));
+        assert_eq!(first(Some(&other), Some(&kept)).archive.session(), &scaled(9.0));
+        let damaged = first(Some("#s=1.AAAA"), Some(&kept));
+        assert_eq!(damaged.archive.session(), &Session::default());
         assert!(damaged.message.unwrap().english().contains("could not be opened"));
     }
 
@@ -87,7 +124,7 @@ mod tests {
         assert_ne!(link::decode(&fragment).unwrap().session, drawn, "rounded");
         let kept = file::write(&drawn).unwrap();
         for address in [fragment.clone(), format!("#x=1&{fragment}")] {
-            assert_eq!(first_session(Some(&address), Some(&kept)).session, drawn);
+            assert_eq!(first(Some(&address), Some(&kept)).archive.session(), &drawn);
         }
     }
 
@@ -95,9 +132,37 @@ mod tests {
     fn a_copy_that_cannot_be_read_is_reported() {
         let link = link::encode(&scaled(9.0)).unwrap().fragment;
         for address in [None, Some(link.as_str())] {
-            let start = first_session(address, Some("{\"riemap\": 7}"));
+            let start = first(address, Some("{\"riemap\": 7}"));
             let message = start.message.unwrap().english();
             assert!(message.contains("kept") && message.contains("format 7"), "{message}");
         }
+    }
+
+    fn record(scales: [f64; 2]) -> Archive {
+        let mut archive = Archive::from(scaled(scales[0]));
+        archive.history.settle(&scaled(scales[1]));
+        archive
+    }
+
+    #[test]
+    fn the_record_comes_with_its_steps_and_a_later_text_is_one_more() {
+        let kept = file::write(&scaled(7.0)).unwrap();
+        let address = link::encode(&scaled(5.0)).unwrap().fragment;
+        let later = first_session(None, KeptCopies { text: Some(&kept), record: Some(Ok(record([4.0, 5.0]))) });
+        assert_eq!((later.archive.session(), later.archive.history.undo_count()), (&scaled(7.0), 2));
+        // the text is that of another tab, and the address says which one is meant
+        let of_tab = KeptCopies { text: Some(&kept), record: Some(Ok(record([4.0, 5.0]))) };
+        let reloaded = first_session(Some(&address), of_tab);
+        assert_eq!((reloaded.archive.session(), reloaded.archive.history.undo_count()), (&scaled(5.0), 1));
+        assert!(reloaded.is_kept && reloaded.message.is_none());
+    }
+
+    #[test]
+    fn a_record_that_cannot_be_read_is_reported_and_the_text_is_used() {
+        let kept = file::write(&scaled(7.0)).unwrap();
+        let broken = Some(Err(FileError::MissingPart("surfaces/cow.obj".into())));
+        let start = first_session(None, KeptCopies { text: Some(&kept), record: broken });
+        assert_eq!(start.archive.session(), &scaled(7.0));
+        assert!(start.message.unwrap().english().contains("surfaces/cow.obj"));
     }
 }

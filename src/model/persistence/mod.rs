@@ -10,14 +10,16 @@
 mod first;
 mod public;
 mod report;
+pub mod visits;
 
-pub use first::{Start, first_session, missing_text};
+pub use first::{KeptCopies, Start, first_session, missing_text};
 pub use report::{lacks, link_report, whole_link};
 
 use crate::language::Message;
 use crate::session::link::MissingOutline;
 use crate::session::{Command, History, Session, SidePoints};
 use public::Public;
+use visits::Visits;
 
 /// What to do after a session has settled.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -60,6 +62,8 @@ pub struct Persistence {
     waits: bool,
     /// The state of address and copy; `None` if they do not follow the session.
     public: Option<Public>,
+    /// The opened sessions, of which this one is shown.
+    pub visits: Visits,
 }
 
 impl Persistence {
@@ -73,7 +77,31 @@ impl Persistence {
             are_known: false,
             waits: false,
             public: is_public.then(Public::default),
+            visits: Visits::default(),
         }
+    }
+
+    /// Continues with the steps of an earlier run; its session is being prepared. The copy is kept already.
+    pub fn resume(history: History, is_public: bool) -> Self {
+        let mut resumed = Self::new(history.now().clone(), is_public);
+        (resumed.is_new, resumed.history) = (false, history);
+        if let Some(public) = &mut resumed.public {
+            public.note_change(false);
+        }
+        resumed
+    }
+
+    /// Replaces all steps, by those of a visit that is gone back to. Its session is then opened.
+    pub fn go_to(&mut self, history: History) {
+        self.missing.clear();
+        (self.is_new, self.waits, self.coming) = (false, false, Coming::Step);
+        self.history = history;
+    }
+
+    /// Records the session at rest, and returns the steps, to be kept while another session is shown.
+    pub fn leave(&mut self, at_rest: Option<&Session>) -> History {
+        self.leave_link(at_rest);
+        self.history.clone()
     }
 
     /// Undo and redo.
@@ -134,6 +162,23 @@ impl Persistence {
         session
     }
 
+    /// Continues with the steps of a session that is opened from a file: undo goes through them, then through the present
+    /// ones. `at_rest` as for [`Self::undo`].
+    pub fn continue_with(&mut self, history: History, at_rest: Option<&Session>) {
+        self.leave_link(at_rest);
+        self.missing.clear();
+        (self.is_new, self.waits) = (false, false);
+        self.history.continue_with(history);
+        self.coming = Coming::Step;
+    }
+
+    /// To be called when the files of the session have changed: they are kept with the session when it settles.
+    pub fn note_files(&mut self) {
+        if let Some(public) = &mut self.public {
+            public.note_change(true);
+        }
+    }
+
     /// To be called when the user changes something: the next settled session is a new step.
     pub fn touch(&mut self) {
         self.coming = Coming::Change;
@@ -168,14 +213,14 @@ impl Persistence {
         }
         self.take_in(session);
         match &mut self.public {
-            Some(public) if !self.waits => public.pay(session, now),
+            Some(public) if !self.waits => public.pay(session, self.history.loaded_points(), now),
             _ => Settled::default(),
         }
     }
 
-    /// The message about a copy that could not be stored; only the first time.
-    pub fn not_kept(&mut self, reason: Message) -> Option<Message> {
-        self.public.as_mut()?.not_kept(reason)
+    /// The message that something could not be stored; only the first time.
+    pub fn not_kept(&mut self, message: Message) -> Option<Message> {
+        self.public.as_mut()?.not_kept(message)
     }
 
     /// The commands that set the points of missing outlines that have been loaded.

@@ -1,6 +1,6 @@
 //! The address and the stored copy, which follow the session.
 
-use crate::language::{Message, key};
+use crate::language::Message;
 use crate::model::persistence::Settled;
 use crate::session::{Session, file, link};
 
@@ -9,6 +9,9 @@ use crate::session::{Session, file, link};
 pub const LARGE_POINTS: usize = 20_000;
 /// The time between copies of a large session, in seconds: the most work that a crash can lose.
 pub const COPY_SECONDS: f64 = 5.0;
+
+/// Steps share their outlines mostly: those of this many steps take about as long to write as one outline.
+const STEPS_TO_ONE: usize = 8;
 
 /// The updates of address and copy that are pending.
 #[derive(Debug, Default)]
@@ -41,7 +44,7 @@ impl Public {
     }
 
     /// Carries out pending updates at a time in seconds.
-    pub fn pay(&mut self, session: &Session, now: f64) -> Settled {
+    pub fn pay(&mut self, session: &Session, points_of_steps: usize, now: f64) -> Settled {
         let mut settled = Settled::default();
         if std::mem::take(&mut self.owes_address) {
             // if there is no link, the command "Copy link" reports why
@@ -51,7 +54,7 @@ impl Public {
         if !self.owes_copy {
             return settled;
         }
-        let is_large = session.loaded_points() > LARGE_POINTS;
+        let is_large = session.loaded_points().max(points_of_steps / STEPS_TO_ONE) > LARGE_POINTS;
         let due = self.copied_at.filter(|_| is_large).map_or(0.0, |at| at + COPY_SECONDS - now);
         if due > 0.0 {
             settled.copy_due = Some(due);
@@ -63,9 +66,9 @@ impl Public {
         settled
     }
 
-    /// The message about a copy that could not be stored; only the first time.
-    pub fn not_kept(&mut self, reason: Message) -> Option<Message> {
+    /// The message that something could not be stored; only the first time.
+    pub fn not_kept(&mut self, message: Message) -> Option<Message> {
         let is_news = !std::mem::replace(&mut self.has_complained, true);
-        is_news.then(|| key::session_not_kept(reason))
+        is_news.then_some(message)
     }
 }

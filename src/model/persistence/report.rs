@@ -12,7 +12,7 @@ pub fn link_report(session: &Session, encoded: &Encoded, missing: &[MissingOutli
 
 /// What the `encoded` link of `session` does not hold, if anything; `missing`: outlines that were never loaded.
 pub fn lacks(session: &Session, encoded: &Encoded, missing: &[MissingOutline]) -> Option<Message> {
-    let outlines = encoded.left_out.iter().map(Message::from);
+    let outlines = encoded.left_out.iter().map(Message::from).chain(encoded.shortened.iter().map(Message::from));
     let missing = missing.iter().map(|outline| key::disk_stands_in(outline.side, &outline.name));
     let surfaces = Side::BOTH.into_iter().filter_map(|side| session.surface(side));
     let surfaces = surfaces.filter_map(|surface| match &surface.spec.shape {
@@ -24,7 +24,7 @@ pub fn lacks(session: &Session, encoded: &Encoded, missing: &[MissingOutline]) -
     Message::joined(all, key::both_clauses)
 }
 
-/// The link of `session` if it holds all outlines and none is `missing`.
+/// The link of `session` if it holds all outlines, perhaps with fewer points, and none is `missing`.
 pub fn whole_link(session: &Session, missing: &[MissingOutline]) -> Option<String> {
     let is_whole = |left_out: &[_]| left_out.is_empty() && missing.is_empty();
     let encoded = link::encode(session).ok().filter(|encoded| is_whole(&encoded.left_out))?;

@@ -14,6 +14,8 @@ pub struct Shot {
     pub dark: bool,
     /// Whether the background is transparent.
     pub transparent: bool,
+    /// Whether the interior and boundary points are drawn as dots.
+    pub dots: bool,
     /// The side shown; `None`: both, next to each other.
     pub side: Option<Side>,
 }

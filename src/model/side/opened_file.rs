@@ -38,7 +38,10 @@ impl OpenedFile {
             Origin::OutlineFile | Origin::PastedText => {
                 (bytes > outline::MAX_BYTES).then(|| Message::from(&OutlineError::TooLarge { bytes }))
             }
-            Origin::SessionFile => (bytes > file::MAX_BYTES).then(|| Message::from(&FileError::TooLarge)),
+            Origin::SessionFile => {
+                let limit = file::largest(&self.file.bytes);
+                (bytes > limit).then(|| Message::from(&FileError::TooLarge { limit }))
+            }
         };
         text.map(|text| Unread { text, repaired: None })
     }

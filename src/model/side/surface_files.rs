@@ -16,17 +16,18 @@ pub struct SurfaceFiles {
 
 impl SurfaceFiles {
     /// Keeps a file. A different file of the same name is renamed: "head (2).obj".
-    pub fn keep(&mut self, name: &str, bytes: Vec<u8>) -> NamedFile {
+    pub fn keep(&mut self, name: &str, bytes: impl Into<Arc<Vec<u8>>>) -> NamedFile {
+        let bytes = bytes.into();
         let numbered = |number: usize| match (number, name.rsplit_once('.')) {
             (1, _) => name.to_owned(),
             (_, Some((stem, ending))) => format!("{stem} ({number}).{ending}"),
             (_, None) => format!("{name} ({number})"),
         };
-        let is_free = |name: &String| self.files.iter().all(|known| known.name != *name || *known.bytes == bytes);
+        let is_free = |name: &String| self.files.iter().all(|known| known.name != *name || known.bytes == bytes);
         let name = (1..=self.files.len() + 1).map(numbered).find(is_free).unwrap_or_else(|| name.to_owned());
         let file = match self.files.iter().position(|known| known.name == name) {
             Some(known) => self.files.remove(known),
-            None => NamedFile { name, bytes: Arc::new(bytes) },
+            None => NamedFile { name, bytes },
         };
         self.files.push(file.clone());
         let mut kept: usize = self.files.iter().map(|file| file.bytes.len()).sum();
@@ -34,6 +35,11 @@ impl SurfaceFiles {
             kept -= self.files.remove(0).bytes.len();
         }
         file
+    }
+
+    /// The kept files whose names `is_used`, the last opened at the end.
+    pub fn used(&self, is_used: impl Fn(&str) -> bool) -> impl Iterator<Item = &NamedFile> {
+        self.files.iter().filter(move |file| is_used(&file.name))
     }
 
     /// The source of a shape's triangles; `None` if it is a file that is not kept.

@@ -5,7 +5,7 @@ use crate::language::{Message, key};
 use crate::platform::{Event, Kept, Mailbox};
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
-use web_sys::Window;
+use web_sys::{PopStateEvent, Window};
 
 /// The key in local storage.
 fn storage_key(what: Kept) -> &'static str {
@@ -21,10 +21,53 @@ pub fn link() -> Option<String> {
     crate::session::link::is_link(&fragment).then_some(fragment)
 }
 
+/// The property of a history entry's state that holds the id of its visit.
+const VISIT: &str = "riemap";
+
+/// The id of the visit that this entry of the browser's history shows.
+pub fn visit() -> Option<String> {
+    let state = web_sys::window()?.history().ok()?.state().ok()?;
+    visit_of(&state)
+}
+
+fn visit_of(state: &JsValue) -> Option<String> {
+    // reading a property of null or of a number fails
+    js_sys::Reflect::get(state, &VISIT.into()).ok()?.as_string()
+}
+
+fn state_of(id: &str) -> JsValue {
+    let state = js_sys::Object::new();
+    // setting a plain property of a new object does not fail
+    let _ = js_sys::Reflect::set(&state, &VISIT.into(), &id.into());
+    state.into()
+}
+
+/// An id for a new visit; `None` if sessions are not kept here.
+pub fn new_visit() -> Option<String> {
+    let random = (js_sys::Math::random() * 1e9) as u64;
+    keeps_sessions().then(|| format!("{:x}-{random:x}", js_sys::Date::now() as u64))
+}
+
+/// Makes this entry of the browser's history show a visit, or, if it shows another one already, a new entry.
+pub fn begin_visit(id: &str) {
+    let begin = |window: Window| {
+        let history = window.history().ok()?;
+        match visit() {
+            Some(_) => history.push_state_with_url(&state_of(id), "", None).ok(),
+            None => history.replace_state_with_url(&state_of(id), "", None).ok(),
+        }
+    };
+    if web_sys::window().and_then(begin).is_none() {
+        log::warn!("the browser's history could not be changed");
+    }
+}
+
 /// Replaces the fragment of the address without adding an entry to the browser's history.
 pub fn show_link(fragment: &str) {
     let replace = |window: Window| {
-        window.history().ok()?.replace_state_with_url(&JsValue::NULL, "", Some(&format!("#{fragment}"))).ok()
+        let history = window.history().ok()?;
+        let state = history.state().unwrap_or(JsValue::NULL);
+        history.replace_state_with_url(&state, "", Some(&format!("#{fragment}"))).ok()
     };
     if web_sys::window().and_then(replace).is_none() {
         log::warn!("the address could not be changed");
@@ -38,6 +81,9 @@ pub fn address_with(fragment: &str) -> String {
     format!("{page}#{fragment}")
 }
 
+/// Sessions with a longer text are stored in the database only.
+const MOST_TEXT: usize = 1 << 20;
+
 /// Stores a text for [`remembered`]. Errors: the browser stores nothing for the page, or not that much.
 pub fn remember(what: Kept, text: &str) -> Result<(), Message> {
     if !is_kept(what) {
@@ -45,7 +91,17 @@ pub fn remember(what: Kept, text: &str) -> Result<(), Message> {
     }
     let storage = |window: Window| window.local_storage().ok()?;
     let storage = web_sys::window().and_then(storage).ok_or(key::browser_stores_nothing())?;
+    if what == Kept::Session && text.len() > MOST_TEXT {
+        // an old copy must not be taken for the newest
+        let _ = storage.remove_item(storage_key(what));
+        return Err(key::too_long_to_store(text.len()));
+    }
     storage.set_item(storage_key(what), text).map_err(|_| key::too_long_to_store(text.len()))
+}
+
+/// Whether sessions are kept here.
+pub fn keeps_sessions() -> bool {
+    is_kept(Kept::Session)
 }
 
 /// Whether the text is stored at all. The session of an embedded page is neither stored nor restored, whatever the
@@ -63,17 +119,27 @@ pub fn remembered(what: Kept) -> Option<String> {
     web_sys::window()?.local_storage().ok()??.get_item(storage_key(what)).ok()?
 }
 
-/// Posts the address whenever the user changes its fragment.
+/// Posts the address whenever the user changes its fragment, and the visit when the user goes back or forward to one.
 pub fn follow(mailbox: Mailbox) {
+    let Some(window) = web_sys::window() else { return };
+    let gone = {
+        let mailbox = mailbox.clone();
+        Closure::<dyn FnMut(PopStateEvent)>::new(move |event: PopStateEvent| {
+            if let Some(id) = visit_of(&event.state()) {
+                mailbox.post(Event::GoneTo(id));
+            }
+        })
+    };
     let changed = Closure::<dyn FnMut()>::new(move || {
-        if let Some(fragment) = link() {
+        // an entry that shows a visit is not a new address: `popstate` has told
+        if let Some(fragment) = link().filter(|_| visit().is_none()) {
             mailbox.post(Event::Link(fragment));
         }
     });
-    if let Some(window) = web_sys::window() {
-        // listening to a named event does not fail
-        let _ = window.add_event_listener_with_callback("hashchange", changed.as_ref().unchecked_ref());
-    }
+    // listening to a named event does not fail
+    let _ = window.add_event_listener_with_callback("popstate", gone.as_ref().unchecked_ref());
+    let _ = window.add_event_listener_with_callback("hashchange", changed.as_ref().unchecked_ref());
+    gone.forget();
     changed.forget();
 }
 

@@ -11,6 +11,7 @@
 //!
 //! After a panic they return `undefined`.
 
+use super::page::Held;
 use crate::conformal::Side;
 use crate::model::files::FilePurpose;
 use crate::platform::Host;
@@ -75,7 +76,8 @@ pub fn install<H: Host>(runner: &WebRunner) {
 }
 
 fn with_app<H: Host>(runner: &WebRunner, read: impl FnOnce(&mut H) -> JsValue) -> JsValue {
-    runner.app_mut::<H>().map_or(JsValue::UNDEFINED, |mut app| read(&mut app))
+    let held = runner.app_mut::<Held<H>>();
+    held.and_then(|mut held| held.0.as_mut().map(read)).unwrap_or(JsValue::UNDEFINED)
 }
 
 fn to_js(value: &impl Serialize) -> JsValue {

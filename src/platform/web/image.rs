@@ -5,15 +5,16 @@ use crate::model::files::FilePurpose;
 use crate::platform::{Event, Mailbox};
 use ::image::RgbaImage;
 use js_sys::{Array, Uint8Array};
+use std::sync::Arc;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, ImageBitmap, OffscreenCanvas, OffscreenCanvasRenderingContext2d};
 
 /// Decodes a PNG or JPEG, scaled down until no side is longer than `max_side`, and posts it to `mailbox`.
-pub fn decode_image(purpose: FilePurpose, name: String, bytes: Vec<u8>, max_side: u32, mailbox: Mailbox) {
+pub fn decode_image(purpose: FilePurpose, name: String, file: Arc<Vec<u8>>, max_side: u32, mailbox: Mailbox) {
     wasm_bindgen_futures::spawn_local(async move {
-        let pixels = decode(&bytes, max_side).await.map_err(key::no_image);
-        mailbox.post(Event::Image { purpose, name, pixels });
+        let pixels = decode(&file, max_side).await.map_err(key::no_image);
+        mailbox.post(Event::Image { purpose, name, file, pixels });
     });
 }
 

@@ -6,16 +6,17 @@
 //! `file` of a surface. A file is `{ name, bytes }`.
 //!
 //! A response is `{ generation }` with `stage`, `failed`, `outline`, `taken`, `session`, `unread`, `refused`, or `floats`,
-//! `indices`, `record` and, of a side, `notes`. An outline is `{ points, text }`, a session `{ source, target, text }` with its loaded outlines, a
+//! `indices`, `record` and, of a side, `notes`. An outline is `{ points, text }`, a session `{ outlines, text, surfaces, picture }` with
+//! the loaded outlines of its undo steps and its files, a
 //! failure to read `{ text, repaired }`. `{ rehearsal }` has no response; a study is `{ study }`, a finding `{ finding }`;
-//! a panic is reported by `{ died }`. Small enums are JSON text in serde's form; what travels between
+//! a panic is reported by `{ died }`, the lock that a worker holds by `{ locked }`. Small enums are JSON text in serde's form; what travels between
 //! workers only is packed: `refused`, `record`, `study`, `finding`.
 
-use crate::conformal::{PerSide, PrepareSettings, Resampled};
+use crate::conformal::{PrepareSettings, Resampled};
 use crate::geometry::{DVec2, SimplePolygon};
-use crate::session::Session;
+use crate::session::file::{Archive, Attachment};
 use crate::worker::{
-    Drawn, Failure, Finding, FlatOutline, FlatSession, NamedFile, Request, Response, Study, SurfaceSource, Task,
+    Drawn, Failure, Finding, FlatArchive, FlatOutline, NamedFile, Request, Response, Study, SurfaceSource, Task,
     Transfer, Unread, packed, unpacked,
 };
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
@@ -150,7 +151,7 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
             object(&[number, ("outline", encode_outline(&FlatOutline::from(&*outline), &transfer))])
         }
         Response::Taken(taken) => object(&[number, ("taken", json(&taken))]),
-        Response::Session(session) => object(&[number, ("session", encode_session(&session, &transfer))]),
+        Response::Session(session) => object(&[number, ("session", encode_session(*session, &transfer))]),
         Response::Unread(unread) => object(&[number, ("unread", encode_unread(&unread, &transfer))]),
         Response::Equation(equation) => match *equation {
             Ok(equation) => object(&[&[number], &encode_buffers(equation, &transfer)[..]].concat()),
@@ -182,20 +183,32 @@ fn decode_outline(message: &JsValue) -> Option<FlatOutline> {
 }
 
 /// Encodes a session; every session that was read has a flat form, any other becomes an object that is not decodable.
-fn encode_session(session: &Session, transfer: &Array) -> JsValue {
-    let Some(FlatSession { outlines, text }) = FlatSession::of(session) else { return object(&[]) };
-    let mut fields = vec![("text", JsValue::from(text))];
-    for (name, outline) in [("source", &outlines.source), ("target", &outlines.target)] {
-        fields.extend(outline.iter().map(|outline| (name, encode_outline(outline, transfer))));
-    }
-    object(&fields)
+fn encode_session(archive: Archive, transfer: &Array) -> JsValue {
+    let Some(FlatArchive { outlines, text, surfaces, picture }) = FlatArchive::of(archive) else { return object(&[]) };
+    let outlines: Array = outlines.iter().map(|outline| encode_outline(outline, transfer)).collect();
+    let surfaces: Array = surfaces.iter().map(|file| encode_attachment(file, transfer)).collect();
+    let picture = picture.iter().map(|file| ("picture", encode_attachment(file, transfer)));
+    let fields = [("text", JsValue::from(text)), ("outlines", outlines.into()), ("surfaces", surfaces.into())];
+    object(&fields.into_iter().chain(picture).collect::<Vec<_>>())
 }
 
-fn decode_session(message: &JsValue) -> Option<Session> {
-    // an outline that is present but not decodable makes the session not decodable
-    let outline = |name| get(message, name).map_or(Some(None), |outline| decode_outline(&outline).map(Some));
-    let outlines = PerSide::new(outline("source")?, outline("target")?);
-    FlatSession { outlines, text: get(message, "text")?.as_string()? }.session()
+fn decode_session(message: &JsValue) -> Option<Archive> {
+    let list = |name| get(message, name)?.dyn_into::<Array>().ok();
+    let outlines = list("outlines")?.iter().map(|outline| decode_outline(&outline)).collect::<Option<_>>()?;
+    let surfaces = list("surfaces")?.iter().map(|file| decode_attachment(&file)).collect::<Option<_>>()?;
+    let picture = get(message, "picture").and_then(|file| decode_attachment(&file));
+    FlatArchive { outlines, text: get(message, "text")?.as_string()?, surfaces, picture }.archive()
+}
+
+fn encode_attachment(Attachment { name, bytes }: &Attachment, transfer: &Array) -> JsValue {
+    let bytes = Uint8Array::from(bytes.as_slice());
+    transfer.push(&bytes.buffer());
+    object(&[("name", name.into()), ("bytes", bytes.into())])
+}
+
+fn decode_attachment(file: &JsValue) -> Option<Attachment> {
+    let bytes = Uint8Array::from(get(file, "bytes")?).to_vec();
+    Some(Attachment { name: get(file, "name")?.as_string()?, bytes: Arc::new(bytes) })
 }
 
 fn encode_unread(Unread { text, repaired }: &Unread, transfer: &Array) -> JsValue {
@@ -268,6 +281,11 @@ pub fn encode_finding(finding: &Finding) -> JsValue {
 /// Decodes a finding; `None` if [`encode_finding`] did not make it.
 pub fn decode_finding(message: &JsValue) -> Option<Finding> {
     taken(message, "finding")
+}
+
+/// Whether a worker says that it holds the lock by which its end is noticed.
+pub fn is_lock(message: &JsValue) -> bool {
+    get(message, "locked").is_some()
 }
 
 /// Encodes the report of a panic.

@@ -13,16 +13,21 @@ mod live_region;
 mod messages;
 mod page;
 mod preparer;
+mod store;
 mod study_runner;
 mod surroundings;
 mod worker_handle;
 
-pub use address::{address_with, has_fingers, languages, link, remember, remembered, say_language, show_link};
+pub use address::{
+    address_with, begin_visit, has_fingers, languages, link, new_visit, remember, remembered, say_language, show_link,
+    visit,
+};
 pub use files::{drop_position, pick_file, read_dropped, save_file};
 pub use image::decode_image;
 pub use live_region::{describe, say};
 pub use page::{address_query, watch_graphics};
 pub use preparer::Preparer;
+pub use store::{first_kept, keep, load_visit};
 pub use study_runner::StudyRunner;
 pub use surroundings::{can_share, has_full_screen, share, tell_page, toggle_full_screen};
 

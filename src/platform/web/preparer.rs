@@ -38,6 +38,11 @@ impl Preparer {
         }
     }
 
+    /// Terminates a side's worker; the next request starts another one.
+    pub fn stop(&mut self, side: Side) {
+        self.workers[side] = None;
+    }
+
     /// Sends a rehearsal of a surface to the target's worker, once; to be called when the app has nothing else to do.
     pub fn warm(&mut self) {
         if !std::mem::replace(&mut self.is_warm, true)

@@ -3,11 +3,12 @@
 use super::messages;
 use crate::language::{Message, key};
 use crate::platform::{Event, Mailbox};
-use js_sys::{Array, Object, Reflect};
+use js_sys::{Array, Object, Promise, Reflect};
 use std::cell::Cell;
 use std::rc::Rc;
 use wasm_bindgen::prelude::{Closure, wasm_bindgen};
 use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::JsFuture;
 use web_sys::{ErrorEvent, MessageEvent, Worker, WorkerOptions, WorkerType};
 
 #[wasm_bindgen]
@@ -15,6 +16,10 @@ extern "C" {
     /// The address of the glue that runs this module.
     #[wasm_bindgen(thread_local_v2, js_namespace = ["import", "meta"], js_name = url)]
     static GLUE_URL: String;
+
+    /// A promise that is kept when no worker holds the lock of this name any more.
+    #[wasm_bindgen(catch, js_namespace = riemapLocks, js_name = released)]
+    fn released(name: &str) -> Result<Promise, JsValue>;
 }
 
 /// The state of a worker.
@@ -56,11 +61,21 @@ impl WorkerHandle {
         let script = web_sys::Url::new_with_base("./worker.js", &GLUE_URL.with(String::clone))?.href();
         let worker = Worker::new_with_options(&script, &options)?;
         let state = Rc::new(Cell::new(State::Idle));
-        let on_message = listen(mailbox.clone(), Rc::clone(&state), read, died.clone());
+        let lock =
+            format!("riemap-worker-{:x}-{:x}", js_sys::Date::now() as u64, (js_sys::Math::random() * 1e9) as u64);
+        let ended = {
+            let (mailbox, state, died, lock) = (mailbox.clone(), Rc::clone(&state), died.clone(), lock.clone());
+            move || {
+                let died = died.clone();
+                let death = move || died(key::worker_ended().into());
+                report_end(mailbox.clone(), Rc::clone(&state), death, lock.clone());
+            }
+        };
+        let on_message = listen(mailbox.clone(), Rc::clone(&state), (read, ended), died.clone());
         let on_error = watch(mailbox.clone(), Rc::clone(&state), died);
         worker.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
         worker.set_onerror(Some(on_error.as_ref().unchecked_ref()));
-        worker.post_message(&bootstrap()?)?;
+        worker.post_message(&bootstrap(&lock)?)?;
         Ok(Self { worker, state, _on_message: on_message, _on_error: on_error })
     }
 
@@ -87,18 +102,37 @@ impl WorkerHandle {
 
 impl Drop for WorkerHandle {
     fn drop(&mut self) {
+        // its end is not reported then
+        self.state.set(State::Dead);
         self.worker.terminate();
     }
+}
+
+/// Reports the end of a worker that does not say so itself, because the browser or a person has terminated it: a worker
+/// holds a lock as long as it lives. Browsers without locks leave it to the app to notice the silence.
+fn report_end(mailbox: Mailbox, state: Rc<Cell<State>>, death: impl Fn() -> Event + 'static, lock: String) {
+    wasm_bindgen_futures::spawn_local(async move {
+        let Ok(released) = released(&lock) else { return };
+        let is_released = JsFuture::from(released).await.is_ok();
+        // an idle worker is replaced with the next request
+        if is_released && state.replace(State::Dead) == State::Busy {
+            mailbox.post(death());
+        }
+    });
 }
 
 fn listen(
     mailbox: Mailbox,
     state: Rc<Cell<State>>,
-    read: impl Fn(&JsValue) -> Option<Heard> + 'static,
+    (read, lives): (impl Fn(&JsValue) -> Option<Heard> + 'static, impl Fn() + 'static),
     died: impl Fn(Message) -> Event + 'static,
 ) -> Closure<dyn FnMut(MessageEvent)> {
     Closure::new(move |event: MessageEvent| {
         let message = event.data();
+        if messages::is_lock(&message) {
+            lives();
+            return;
+        }
         let Some(Heard { event, goes_on }) = read(&message) else {
             let reason =
                 messages::decode_death(&message).map_or_else(|| key::answer_unreadable().into(), Message::from);
@@ -126,8 +160,9 @@ fn watch(
     })
 }
 
-fn bootstrap() -> Result<JsValue, JsValue> {
+fn bootstrap(lock: &str) -> Result<JsValue, JsValue> {
     let message = Object::new();
+    Reflect::set(&message, &"lock".into(), &lock.into())?;
     Reflect::set(&message, &"glue".into(), &GLUE_URL.with(String::clone).into())?;
     Reflect::set(&message, &"module".into(), &wasm_bindgen::module())?;
     Ok(message.into())

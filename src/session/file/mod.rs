@@ -1,6 +1,7 @@
-//! Session files (`.riemap`): a session as JSON with the marker `"riemap"` and the number of its format.
+//! Session files (`.riemap`): a zip with everything, or a session alone as JSON with the marker `"riemap"` and the
+//! number of its format.
 //!
-//! A file holds everything except images and the triangles of surfaces that come from files. Numbers and outlines
+//! A session alone is everything except images and the triangles of surfaces that come from files. Numbers and outlines
 //! are read back bit for bit. A missing field gets its default, so that files older than a setting can be read;
 //! unknown fields are skipped.
 //!
@@ -8,12 +9,16 @@
 //! |---|---|---|
 //! | 1 | at most a surface on the target's side | `version1` |
 //! | 2 | a surface on either side, or on both; the curves of loaded outlines | `version2` |
+//! | 3 | a zip: a session of format 1 or 2, undo steps, surfaces, the own picture | `archive` |
 //!
-//! The oldest format that holds the session is written, so that older programs and the scripts of pages that
-//! embed the app can read as many files as possible. Both formats will always be readable.
+//! The app saves format 3. As JSON the oldest format that holds the session is written, so that older programs and the
+//! scripts of pages that embed the app can read as much as possible. All formats will always be readable.
 
+mod archive;
 mod version1;
 mod version2;
+
+pub use archive::{Archive, Attachment, FORMAT, MAX_ARCHIVE_BYTES, Part, Steps, is_zip, largest, read_archive};
 
 use super::{OutOfRange, OutlineSpec, Session};
 use crate::conformal::Side;
@@ -26,19 +31,58 @@ use version2::Version2;
 /// The extension of session files, without the dot.
 pub const EXTENSION: &str = "riemap";
 
-/// The newest format that is written and read.
+/// The newest format of a session alone that is written and read.
 pub const NEWEST: u32 = 2;
 
-/// The largest file that is read: two outlines with the maximal number of points take 40 MB.
+/// The largest session alone that is read: two outlines with the maximal number of points take 40 MB.
 pub const MAX_BYTES: usize = 64 << 20;
 
 /// Why a session cannot be written or a file cannot be read.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FileError {
-    /// It has more than [`MAX_BYTES`].
-    #[error("the file is too large for a session: {} MiB are the most", MAX_BYTES >> 20)]
-    TooLarge,
+    /// It has more bytes than the limit.
+    #[error("the file is too large for a session: {} MiB are the most", limit >> 20)]
+    TooLarge {
+        /// The limit: [`MAX_BYTES`] or [`MAX_ARCHIVE_BYTES`].
+        limit: usize,
+    },
+    /// It begins like a zip and is none.
+    #[error("the file is damaged: it was cut off or changed on its way ({0})")]
+    Damaged(String),
+    /// A part that it lists is not in it.
+    #[error("the part \"{0}\" is missing in the file")]
+    MissingPart(String),
+    /// A part cannot be unpacked.
+    #[error("the part \"{part}\" of the file is damaged: {reason}")]
+    BrokenPart {
+        /// The path of the part.
+        part: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A part is larger than the parts of its kind may be, or than all parts together.
+    #[error("the part \"{part}\" of the file is too large: {} MiB are the most", limit >> 20)]
+    PartTooLarge {
+        /// The path of the part.
+        part: String,
+        /// The limit in bytes.
+        limit: usize,
+    },
+    /// It has more parts than a session can use.
+    #[error("the file has too many parts: {limit} are the most")]
+    TooManyParts {
+        /// The limit.
+        limit: usize,
+    },
+    /// A part is unpacked and cannot be read.
+    #[error("the part \"{part}\" of the file cannot be read: {error}")]
+    InPart {
+        /// The path of the part.
+        part: String,
+        /// The reason.
+        error: Box<FileError>,
+    },
     /// It is not JSON, or not the JSON of a session.
     #[error(
         "this is not a session of riemap, or the file is damaged. Open another file, or the session's link instead ({0})"
@@ -48,7 +92,7 @@ pub enum FileError {
     #[error("the file is no session of riemap: there is no \"riemap\": {NEWEST} in it")]
     NoSession,
     /// It is of a format that this program does not know.
-    #[error("the file is of format {found}, made by a newer riemap; this one reads format {NEWEST}")]
+    #[error("the file is of format {found}, made by a newer riemap; this one reads format {FORMAT}")]
     Version {
         /// The number of its format.
         found: u32,
@@ -113,10 +157,13 @@ pub fn write_object(session: &Session) -> Result<String, FileError> {
     serde_json::to_string(&Written::new(session, false)?).map_err(|error| malformed(&error))
 }
 
-/// Reads a file. The session's numbers are in their ranges and its outlines are simple polygons.
+/// Reads the session of a file. Its numbers are in their ranges and its outlines are simple polygons.
 pub fn read(bytes: &[u8]) -> Result<Session, FileError> {
+    if is_zip(bytes) {
+        return read_archive(bytes).map(|archive| archive.session().clone());
+    }
     if bytes.len() > MAX_BYTES {
-        return Err(FileError::TooLarge);
+        return Err(FileError::TooLarge { limit: MAX_BYTES });
     }
     // As text, since serde_json's reader for bytes would add as much code again to the program.
     let text = std::str::from_utf8(bytes).map_err(|error| FileError::Malformed(error.to_string()))?;

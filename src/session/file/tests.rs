@@ -107,7 +107,7 @@ fn other_versions_and_other_files_are_refused() {
     }
     assert!(matches!(read(b"{\"riemap\": 1, \"\xff\": 0}"), Err(FileError::Malformed(_))));
     assert!(matches!(read("[".repeat(100_000).as_bytes()), Err(FileError::Malformed(_))));
-    assert_eq!(read(&vec![b' '; MAX_BYTES + 1]), Err(FileError::TooLarge));
+    assert_eq!(read(&vec![b' '; MAX_BYTES + 1]), Err(FileError::TooLarge { limit: MAX_BYTES }));
 }
 
 #[test]

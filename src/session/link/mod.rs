@@ -7,12 +7,13 @@
 //! | the numbers of enum values | `codes` |
 //! | polygons in 16 bits | `quantized` |
 //! | outlines with curves: points in 24 bits, or the pieces of a path | `curves` |
+//! | outlines that are too long, with as many points as fit | `shortened`, `thinning` |
 //! | deflate and base 64 | `envelope` |
 //!
 //! Guarantees: for any input, [`decode`] returns a session that [`Session::check`] accepts, with simple
 //! polygons, or an error; it does not panic and allocates less than 8 MiB in all. Decoding the result of
 //! [`encode`] gives the same session, except that polygons are rounded to 16 bits, points of smooth
-//! curves to 24, and long names are cut; encoding and decoding again changes nothing more. Links of both versions will always open.
+//! curves to 24, long names are cut, and outlines that are too long have fewer points ([`Encoded::shortened`]); encoding and decoding again changes nothing more. Links of both versions will always open.
 //!
 //! The oldest version that holds the session is written, since the recipient's riemap may be an older one, for
 //! example one installed for use without a network.
@@ -21,6 +22,8 @@ mod codes;
 mod curves;
 mod envelope;
 mod quantized;
+mod shortened;
+mod thinning;
 mod version1;
 mod version2;
 
@@ -41,7 +44,7 @@ const KEY: &str = "s=";
 /// The newest version that is written and read.
 pub const NEWEST: &str = "2";
 
-/// A link, and the outlines that are too long for it.
+/// A link, and the outlines that it holds with fewer points or not at all.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Encoded {
@@ -49,6 +52,36 @@ pub struct Encoded {
     pub fragment: String,
     /// The outlines that are not in the fragment and must be sent as files.
     pub left_out: Vec<LeftOut>,
+    /// The outlines that are in the fragment with fewer points than they have.
+    pub shortened: Vec<ShortenedOutline>,
+}
+
+/// An outline that a link holds with fewer points, because all of them would make the link too long.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("the {side}'s outline \"{name}\" has {to} of its {from} points in the link: it moves by at most {} of its size", percent(*deviation))]
+#[non_exhaustive]
+pub struct ShortenedOutline {
+    /// The side of the session that has the outline.
+    pub side: Side,
+    /// The name of the outline, cut as in the link.
+    pub name: String,
+    /// The number of its points.
+    pub from: usize,
+    /// The number of points in the link.
+    pub to: usize,
+    /// The largest distance between the two outlines, in sizes of the outline (the longer side of its box).
+    pub deviation: f64,
+}
+
+/// A share as a percentage of two digits, rounded up.
+pub fn percent(share: f64) -> String {
+    let percent = 100.0 * share;
+    if percent <= 0.0 {
+        return String::from("0 %");
+    }
+    let digits = (1.0 - percent.log10().floor()).clamp(0.0, 12.0);
+    let rounded = (percent * 10_f64.powf(digits)).ceil() / 10_f64.powf(digits);
+    format!("{rounded:.0$} %", digits as usize)
 }
 
 /// An outline that a link does not hold.
@@ -210,22 +243,41 @@ pub enum LinkError {
     },
 }
 
-/// Encodes a session. Outlines that do not fit are left out, the longest first.
+/// Encodes a session. Outlines that are too long are shortened; what does not fit even so is left out, the longest first.
 ///
 /// Errors: a number outside the range of its control.
 pub fn encode(session: &Session) -> Result<Encoded, OutOfRange> {
     session.check()?;
-    let mut outlines = PerSide::from_fn(|side| prepared(&session.domain(side).outline));
+    let outlines = PerSide::from_fn(|side| prepared(&session.domain(side).outline));
+    let is_too_long = outlines.iter().any(|(_, outline)| outline.is_too_long());
+    if let Some(fragment) = fragment(session, &outlines).filter(|_| !is_too_long) {
+        return Ok(Encoded { fragment, left_out: left_out(&outlines), shortened: Vec::new() });
+    }
+    let shortened = shortened::shortened(session);
+    let shorter = shortened::applied(session, &shortened);
+    let mut outlines = PerSide::from_fn(|side| prepared(&shorter.domain(side).outline));
     loop {
-        if let Some(fragment) = fragment(session, &outlines) {
-            let left_out = outlines.iter().filter_map(|(side, outline)| {
-                let Prepared::LeftOut { name, reason } = outline else { return None };
-                Some(LeftOut { side, name: name.clone(), reason: reason.clone() })
+        if let Some(fragment) = fragment(&shorter, &outlines) {
+            let left_out = left_out(&outlines);
+            let told = Side::BOTH.into_iter().filter_map(|side| {
+                let short = shortened[side].as_ref().filter(|_| !matches!(outlines[side], Prepared::LeftOut { .. }))?;
+                let OutlineSpec::Points { name, polygon, .. } = &session.domain(side).outline else { return None };
+                let (from, to) = (polygon.vertices().len(), short.len());
+                Some(ShortenedOutline { side, name: short_name(name), from, to, deviation: short.deviation })
             });
-            return Ok(Encoded { fragment, left_out: left_out.collect() });
+            return Ok(Encoded { fragment, left_out, shortened: told.collect() });
         }
         leave_out_longest(&mut outlines);
     }
+}
+
+/// The outlines that are left out.
+fn left_out(outlines: &PerSide<Prepared>) -> Vec<LeftOut> {
+    let left_out = outlines.iter().filter_map(|(side, outline)| {
+        let Prepared::LeftOut { name, reason } = outline else { return None };
+        Some(LeftOut { side, name: name.clone(), reason: reason.clone() })
+    });
+    left_out.collect()
 }
 
 /// Decodes a link: a whole address, its fragment with or without `#`, or one part of the fragment.
@@ -301,6 +353,11 @@ impl Prepared {
             Self::Points { name, points } => WiredOutline::Points { name: name.clone(), points: points.clone() },
             Self::Curve { name, .. } | Self::LeftOut { name, .. } => WiredOutline::File { name: name.clone() },
         }
+    }
+
+    /// Whether it is left out for its length.
+    fn is_too_long(&self) -> bool {
+        matches!(self, Self::LeftOut { reason: NotCarried::TooLong { .. }, .. })
     }
 
     /// The curve, which only version 2 holds.

@@ -118,6 +118,11 @@ impl Explore {
         takes_focus
     }
 
+    /// Forgets the thumbnails, because the device is gone that held them; they are rendered again.
+    pub fn forget_thumbnails(&mut self) {
+        self.thumbnails.clear();
+    }
+
     /// Records that the tour has taken the keyboard focus.
     pub fn end_focus(&mut self) {
         self.focus_due = false;

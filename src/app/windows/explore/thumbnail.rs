@@ -1,14 +1,14 @@
 //! Thumbnails of maps, rendered on the CPU: the actual map at a coarse resolution, with its pattern.
 //!
 //! Source and target are side by side. Triangles are rasterized with a depth buffer at three times the
-//! resolution, which is then averaged.
+//! resolution, which is then averaged. Patterns have octaves, as on the screen: `shaders/pattern.wgsl`.
 
 use crate::conformal::{PrepareSettings, Side};
 use crate::geometry::{Bounds, DVec2, DVec3};
 use crate::mesh::Sizing;
 use crate::model::scene::{Offscreen, OffscreenSurface, SurfaceFiles};
 use crate::outline::Sampling;
-use crate::render::{MeshGeometry, Pattern, TextureStyle};
+use crate::render::{LocalScale, MeshGeometry, Pattern, TextureStyle, double_area};
 use crate::session::{Command, Comparison, Session, SurfaceShape, SurfaceSpec};
 use egui::{Color32, ColorImage};
 
@@ -19,13 +19,15 @@ const DENSITY: usize = 2;
 /// Samples per pixel along each axis.
 const FINE: usize = 3;
 
-/// Boundary samples, enough for thumbnails of 80 points; adaptive sampling keeps corners and channels.
-const SAMPLES: u32 = 120;
+/// Boundary samples, enough for thumbnails of 80 points: with 120, the turkey's feathers had corners.
+const SAMPLES: u32 = 280;
 const GROWTH: f64 = 0.3;
 /// Boundary vertices of a preset surface.
-const SURFACE_BOUNDARY: u32 = 72;
+const SURFACE_BOUNDARY: u32 = 120;
 /// Cells of the pattern across the domain: fewer than on the screen, to be visible at this size.
-const CELLS: f64 = 6.0;
+const CELLS: f64 = 8.0;
+/// The part of a half's smaller side that is filled.
+const FILLED: f64 = 0.94;
 
 /// The brightness of a triangle that is seen edge-on; one that faces the eye has brightness 1.
 const DARKEST: f64 = 0.45;
@@ -77,18 +79,44 @@ impl Canvas {
     /// The affine map from a domain's coordinates to the left (0) or right (1) half of the canvas, y down.
     fn fit(&self, points: &[DVec2], half: usize) -> impl Fn(DVec2) -> DVec2 + use<> {
         let [min, max] = Bounds::of(points.iter().copied()).corners();
-        let room = DVec2::new(0.5 * self.size[0] as f64, self.size[1] as f64);
-        let scale = 0.94 * (room / (max - min)).min_element();
+        let scale = self.pixels_per_unit([min, max]);
+        let room = self.half_size();
         let center = DVec2::new((0.5 + half as f64) * room.x, 0.5 * room.y);
         move |p| center + scale * (p - 0.5 * (min + max)) * DVec2::new(1.0, -1.0)
     }
 
+    fn half_size(&self) -> DVec2 {
+        DVec2::new(0.5 * self.size[0] as f64, self.size[1] as f64)
+    }
+
+    /// Of a picture of all of this box in a half.
+    fn pixels_per_unit(&self, [min, max]: [DVec2; 2]) -> f64 {
+        FILLED * (self.half_size() / (max - min)).min_element()
+    }
+
+    /// The octave of each vertex: log₂ of the texture's units per pixel over those in a picture of its whole domain.
+    fn octaves(
+        &self,
+        (coordinates, triangles): (&[DVec2], &[[u32; 3]]),
+        double_area_in_pixels: impl Fn([usize; 3]) -> f64,
+        style: &TextureStyle,
+    ) -> Vec<f64> {
+        let mut scale = LocalScale::default();
+        scale.set(coordinates.len(), triangles);
+        let scales = scale.compute(|corners| double_area(coordinates, corners), double_area_in_pixels);
+        let whole = self.pixels_per_unit(style.bounds.into()).log2();
+        scales.iter().map(|&scale| f64::from(scale) + whole).collect()
+    }
+
     fn plane(&mut self, mesh: &MeshGeometry<'_>, half: usize, style: &TextureStyle) {
         let place = self.fit(mesh.positions, half);
+        let points: Vec<DVec2> = mesh.positions.iter().map(|&p| place(p)).collect();
+        let textured = (mesh.texture_coordinates, mesh.triangles);
+        let octaves = self.octaves(textured, |corners| double_area(&points, corners), style);
         for corners in mesh.triangles {
             let corners = corners.map(|v| v as usize);
-            let points = corners.map(|v| place(mesh.positions[v]).extend(0.0));
-            self.triangle(points, corners.map(|v| mesh.texture_coordinates[v]), 1.0, style);
+            let texture = corners.map(|v| mesh.texture_coordinates[v].extend(octaves[v]));
+            self.triangle(corners.map(|v| points[v].extend(0.0)), texture, 1.0, style);
         }
     }
 
@@ -100,18 +128,26 @@ impl Canvas {
         let flat = |p: &DVec3| DVec2::new(p.dot(right), p.dot(up));
         let flattened: Vec<DVec2> = mesh.vertices().iter().map(flat).collect();
         let place = self.fit(&flattened, half);
+        let scale = (place(DVec2::X) - place(DVec2::ZERO)).length();
+        let spatial = |corners: [usize; 3]| {
+            let [a, b, c] = corners.map(|v| mesh.vertices()[v]);
+            scale * scale * (b - a).cross(c - a).length()
+        };
+        let octaves = self.octaves((solid.coordinates, mesh.triangles()), spatial, style);
         for corners in mesh.triangles() {
             let corners = corners.map(|v| v as usize);
             let [a, b, c] = corners.map(|v| mesh.vertices()[v]);
             let facing = (b - a).cross(c - a).normalize_or_zero().dot(towards_eye).abs();
             let points = [a, b, c].map(|p| place(flat(&p)).extend(p.dot(towards_eye)));
             let light = (DARKEST + (1.0 - DARKEST) * facing) as f32;
-            self.triangle(points, corners.map(|v| solid.coordinates[v]), light, style);
+            let texture = corners.map(|v| solid.coordinates[v].extend(octaves[v]));
+            self.triangle(points, texture, light, style);
         }
     }
 
-    /// Fills a triangle; z is the depth, larger is nearer. A degenerate or infinite triangle is skipped.
-    fn triangle(&mut self, [a, b, c]: [DVec3; 3], coordinates: [DVec2; 3], light: f32, style: &TextureStyle) {
+    /// Fills a triangle; z is the depth, larger is nearer, and in the texture the octave. A degenerate or infinite triangle
+    /// is skipped.
+    fn triangle(&mut self, [a, b, c]: [DVec3; 3], texture: [DVec3; 3], light: f32, style: &TextureStyle) {
         let area = (b - a).truncate().perp_dot((c - a).truncate());
         if area == 0.0 || !area.is_finite() {
             return;
@@ -132,7 +168,7 @@ impl Canvas {
                 if depth >= self.depths[at] {
                     self.depths[at] = depth;
                     let [u, v, w] = weights;
-                    let [r, g, b] = colour(u * coordinates[0] + v * coordinates[1] + w * coordinates[2], style);
+                    let [r, g, b] = colour(u * texture[0] + v * texture[1] + w * texture[2], style);
                     self.pixels[at] = [light * r, light * g, light * b, 1.0];
                 }
             }
@@ -162,8 +198,28 @@ const PAPER: [f32; 3] = [0.96, 0.93, 0.86];
 /// Half the width of a line, in cells.
 const LINE: f64 = 0.07;
 
-/// The pattern's color at a texture coordinate.
-fn colour(p: DVec2, style: &TextureStyle) -> [f32; 3] {
+/// Octaves further from the plain pattern than these are not seen at this size.
+const OCTAVES: std::ops::RangeInclusive<f64> = -12.0..=3.0;
+/// The part of an octave over which it fades into the next one; as in `shaders/pattern.wgsl`.
+const FADE: [f64; 2] = [0.4, 0.6];
+
+/// The pattern's color at a texture coordinate (xy) of an octave (z).
+fn colour(p: DVec3, style: &TextureStyle) -> [f32; 3] {
+    // the conformal grid's cells shrink towards the center by themselves
+    let is_conformal = style.pattern == Pattern::Conformal;
+    let octave = if is_conformal { 0.0 } else { p.z.clamp(*OCTAVES.start(), *OCTAVES.end()) };
+    let share = ((octave - octave.floor() - FADE[0]) / (FADE[1] - FADE[0])).clamp(0.0, 1.0);
+    let at =
+        |octave: f64| plain_colour(p.truncate(), &TextureStyle { cells: style.cells * (-octave).exp2(), ..*style });
+    if share == 0.0 {
+        return at(octave.floor());
+    }
+    let (finer, coarser) = (at(octave.floor()), at(octave.floor() + 1.0));
+    std::array::from_fn(|k| finer[k] + share as f32 * (coarser[k] - finer[k]))
+}
+
+/// The color of the pattern without octaves.
+fn plain_colour(p: DVec2, style: &TextureStyle) -> [f32; 3] {
     let (low, high) = style.bounds;
     let cell = (high - low).max_element() / style.cells;
     let on_line = |coordinate: f64| (coordinate - coordinate.round()).abs() < LINE;

@@ -53,6 +53,10 @@ impl Exporter {
             let transparent = ui.checkbox(&mut self.request.transparent, tr(key::transparent()));
             self.note(key::transparent().english(), &transparent.on_hover_text(tr(key::transparent_tooltip())));
             ui.end_row();
+            ui.label(tr(key::dots()));
+            let dots = ui.checkbox(&mut self.request.dots, tr(key::both_points()));
+            self.note(key::both_points().english(), &dots.on_hover_text(tr(key::both_points_tooltip())));
+            ui.end_row();
         }
         if kind == Kind::Formula && around.no_formula.is_none() {
             self.formula_settings(ui, height);

@@ -1,0 +1,131 @@
+//! Visits: each opened session has an entry of its own in the browser's history, and is kept with its undo steps.
+
+use super::RiemapApp;
+use crate::language::{Message, key};
+use crate::model::persistence::visits::{Kept as KeptVisit, Left, Listed, Visit};
+use crate::platform::{self, Kept};
+use crate::session::Touched;
+use crate::session::file::{Archive, FileError};
+
+impl RiemapApp {
+    /// Begins another visit, for a session that is about to be opened; the present one can be gone back to. Does nothing
+    /// where sessions are not kept.
+    pub(super) fn begin_visit(&mut self) {
+        if let Some(id) = platform::new_visit() {
+            self.leave_visit_for(id.clone());
+            platform::begin_visit(&id);
+        }
+    }
+
+    fn leave_visit_for(&mut self, next: String) {
+        let at_rest = self.model.is_mapped().then(|| self.model.session());
+        let steps = self.persistence.leave(at_rest);
+        let picture = self.pictures.image.as_ref().map(|image| image.file.clone());
+        self.persistence.visits.leave_for(next, Left { steps, picture });
+    }
+
+    /// Shows the visit that the user went back or forward to; if sessions are locked, nothing changes.
+    pub(super) fn go_to_visit(&mut self, id: String) {
+        if self.persistence.visits.current() == Some(id.as_str()) || !self.may(Touched::EVERYTHING) {
+            return;
+        }
+        let left = self.persistence.visits.left(&id).cloned();
+        self.leave_visit_for(id.clone());
+        match left {
+            // its surfaces are still at hand
+            Some(Left { steps, picture }) => {
+                self.show_archive(Archive { history: steps, surfaces: Vec::new(), picture });
+            }
+            None => platform::load_visit(id, self.workers.mailbox.clone()),
+        }
+    }
+
+    /// Opens a kept visit as a new entry of the browser's history.
+    pub(super) fn open_kept(&mut self, id: &str) {
+        self.leave_visit_for(id.to_owned());
+        platform::begin_visit(id);
+        platform::load_visit(id.to_owned(), self.workers.mailbox.clone());
+    }
+
+    /// Shows a visit that was read; one that is not kept any more is opened from the address.
+    pub(super) fn take_visit(&mut self, id: &str, kept: Option<KeptVisit>) {
+        if self.persistence.visits.current() != Some(id) {
+            return; // the user has gone on
+        }
+        match kept.map(|kept| kept.archive()) {
+            Some(Ok(archive)) => self.show_archive(archive),
+            Some(Err(error)) => self.refuse_visit(&error),
+            None => {
+                if let Some(link) = platform::link() {
+                    self.open_link(&link);
+                }
+            }
+        }
+    }
+
+    fn refuse_visit(&mut self, error: &FileError) {
+        self.messages.common = Some(key::last_session_not_opened(Message::from(error)));
+    }
+
+    /// Shows an archive in place of everything, with its steps.
+    fn show_archive(&mut self, mut archive: Archive) {
+        self.model.keep_files(&mut archive);
+        let shown = self.pictures.image.as_ref().map(|image| &image.file);
+        if let Some(picture) = archive.picture.take().filter(|picture| Some(picture) != shown) {
+            self.load_image(picture);
+        }
+        let session = archive.session().clone();
+        self.end_tour();
+        self.persistence.go_to(archive.history);
+        self.show_session(session);
+    }
+
+    /// Stores the session at rest: `text` is the session alone, which is stored at once, and the visit with everything
+    /// follows. The text alone matters only where the visit cannot be stored.
+    pub(super) fn store(&mut self, text: &str, context: &egui::Context) {
+        let without_files = platform::remember(Kept::Session, text);
+        let link = self.link_shown();
+        let visit = self.persistence.visits.current().map(|id| Visit::new(id, link, &self.archive()));
+        // its numbers are in their ranges: the text was written
+        if let Some(Ok(visit)) = visit {
+            platform::keep(visit, self.workers.mailbox.clone());
+        }
+        if let (Err(reason), None) = (without_files, self.persistence.visits.current()) {
+            self.say_once(key::session_not_kept(reason));
+            context.request_repaint();
+        }
+    }
+
+    /// The fragment of the session's link, by which the kept session is found.
+    fn link_shown(&self) -> Option<String> {
+        crate::session::link::encode(self.model.session()).ok().map(|encoded| encoded.fragment)
+    }
+
+    /// Takes the result of storing a visit.
+    pub(super) fn take_kept(&mut self, result: Result<(Vec<Listed>, Option<Message>), Message>) {
+        match result {
+            Ok((listed, without_files)) => {
+                self.persistence.visits.listed = listed;
+                if let Some(reason) = without_files {
+                    self.say_once(key::files_not_kept(reason));
+                }
+            }
+            Err(reason) => self.not_kept_whole(reason),
+        }
+    }
+
+    /// Says once that the session is kept without files and undo steps, or not at all.
+    fn not_kept_whole(&mut self, reason: Message) {
+        let text = crate::session::file::write_compact(self.model.session()).unwrap_or_default();
+        match platform::remember(Kept::Session, &text) {
+            Ok(()) => self.say_once(key::only_session_kept(reason)),
+            Err(reason) => self.say_once(key::session_not_kept(reason)),
+        }
+    }
+
+    fn say_once(&mut self, message: Message) {
+        if let Some(message) = self.persistence.not_kept(message) {
+            self.messages.common = Some(message);
+        }
+    }
+}
