@@ -21,6 +21,8 @@ struct Pattern {
     // xy: image coordinates per source unit; z: 1 if the pattern has octaves, else 0; w: log2 of the drawn mesh's
     // units per pixel over the source units per pixel in a picture of the whole domain
     image: vec4<f32>,
+    // xy: the image's middle relative to that middle; z: the angle by which it is turned; w: 1 with paper around it
+    placed: vec4<f32>,
     // sRGB-encoded control points of the hue change, from top to bottom
     hue_top: vec4<f32>,
     hue_middle: vec4<f32>,
@@ -232,6 +234,15 @@ fn conformal_pattern(source: vec2<f32>, octave: f32) -> vec3<f32> {
 }
 
 fn image_pattern(source: vec2<f32>) -> vec3<f32> {
-    let uv = source * view.pattern.image.xy * vec2<f32>(1.0, -1.0) + 0.5;
-    return textureSample(picture, picture_sampler, uv).rgb;
+    let from_middle = source - view.pattern.placed.xy;
+    let right = vec2<f32>(cos(view.pattern.placed.z), sin(view.pattern.placed.z));
+    let turned = vec2<f32>(dot(from_middle, right), dot(from_middle, vec2<f32>(-right.y, right.x)));
+    let uv = turned * view.pattern.image.xy * vec2<f32>(1.0, -1.0) + 0.5;
+    let dx = dpdx(uv);
+    let dy = dpdy(uv);
+    let pixel = max(sqrt(dx * dx + dy * dy), vec2<f32>(1e-9));
+    // full up to half a pixel beyond the edge: a picture that ends with the domain has no paper along its boundary
+    let share = clamp(1.5 - (abs(uv - 0.5) - 0.5) / pixel, vec2<f32>(0.0), vec2<f32>(1.0));
+    let colour = textureSample(picture, picture_sampler, uv).rgb;
+    return mix(colour, paper(), view.pattern.placed.w * (1.0 - share.x * share.y));
 }

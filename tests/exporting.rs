@@ -113,7 +113,7 @@ fn a_picture_without_dots_has_none_and_is_the_same_elsewhere() {
     let folder = folder("dots");
     for (session, name) in [(Session::default(), "plane"), (surface_session(), "surface")] {
         let link = link(&session);
-        let arguments = ["render", &link, "--size", "600x300"];
+        let arguments = ["render", &link, "--size", "1200x600"];
         let with = written(&folder, &format!("{name}-with.png"), &arguments);
         let without = written(&folder, &format!("{name}-without.png"), &[&arguments[..], &["--no-dots"]].concat());
         let [with, without] = [with, without].map(|bytes| image::load_from_memory(&bytes).unwrap().into_rgba8());
@@ -124,7 +124,7 @@ fn a_picture_without_dots_has_none_and_is_the_same_elsewhere() {
         let dots = |picture: &image::RgbaImage| picture.pixels().filter(|pixel| is_dot(pixel)).count();
         assert!(dots(&with) > 30 && dots(&without) == 0, "{name}: {} {}", dots(&with), dots(&without));
         let differing = with.pixels().zip(without.pixels()).filter(|(a, b)| a != b).count();
-        assert!(differing < 1500, "{name}: {differing} pixels differ");
+        assert!(differing < 3000, "{name}: {differing} pixels differ");
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod support;
 
+use riemap::outline::Preset;
 use riemap::surface::read_surface;
 use serde_json::Value;
 use std::fmt::Write as _;
@@ -205,4 +206,67 @@ fn a_glb_keeps_the_shape_of_what_is_far_away_large_or_small() {
             assert!(distance < 2e-6 * scale, "{name}: {p:?} became {q}");
         }
     }
+}
+
+#[test]
+fn new_vertices_at_corners_follow_those_of_the_file_and_say_what_they_divide() {
+    let folder = folder("corners");
+    let surface = file(&folder, "grid.obj", &grid());
+    let given = read_surface("grid.obj", grid().as_bytes()).unwrap();
+    let base = ["preset:square", "--repair", "--samples", "200", "--uv", "true", "--surface-anchor", "@0.03", "--json"];
+    let out = ["uv.obj", "uv.ply", "uv.csv"].map(|name| folder.join(name).display().to_string());
+    let outs: Vec<&str> = out.iter().flat_map(|path| ["--out", path]).collect();
+    let summary = json(&[&[&*surface], &base[..], &outs].concat());
+    let corners = &summary["corners"];
+    let divisions = corners["divisions"].as_array().unwrap();
+    assert_eq!((&corners["hit"], &corners["folded"]), (&4.into(), &0.into()));
+    assert!(!divisions.is_empty());
+    let text = |k: usize| std::fs::read_to_string(&out[k]).unwrap();
+    for (path, k) in [(&out[0], 0), (&out[1], 1)] {
+        let written = read_surface(path, text(k).as_bytes()).unwrap();
+        assert_eq!(written.vertices()[..26], *given.vertices(), "{path}");
+        assert_eq!(written.vertices().len(), 26 + divisions.len(), "{path}");
+        assert_eq!(
+            text(k).matches("divides the edge").count() + text(k).matches("is the middle").count(),
+            divisions.len()
+        );
+        for (place, division) in written.vertices()[26..].iter().zip(divisions) {
+            let Some(edge) = division["edge"].as_array() else { continue };
+            let [a, b] = [0, 1].map(|i| given.vertices()[edge[0][i].as_u64().unwrap() as usize]);
+            assert_eq!(*place, a.lerp(b, edge[1].as_f64().unwrap()), "{path}");
+        }
+    }
+    let obj = text(0);
+    for corner in Preset::Square.outline().corner_places() {
+        let line = format!("vt {} {}", corner.x, corner.y);
+        assert_eq!(obj.lines().filter(|found| *found == line).count(), 1, "{line}");
+    }
+    assert!(text(2).starts_with("x,y,z,u,v,edge from,edge to,at\n9,9,9,,,,,\n"), "{}", text(2));
+    let free = json(&[&[&*surface], &base[..], &["--corners", "free", "--out", &out[2]]].concat());
+    assert!(free["corners"].is_null());
+    assert!(text(2).starts_with("x,y,z,u,v\n9,9,9,,\n") && text(2).lines().count() == 27);
+    let output = succeeds(&flatten(&[&surface, "preset:square", "--repair"]));
+    assert!(String::from_utf8_lossy(&output.stdout).contains("4 corners are hit, with"));
+}
+
+#[test]
+fn any_boundary_loop_becomes_the_outline() {
+    let folder = folder("loops");
+    // a frame of eight squares around a hole
+    let mut text = String::new();
+    for k in 0..16 {
+        let _ = writeln!(text, "v {} {} 0", k % 4, k / 4);
+    }
+    for k in (0..11).filter(|k| k % 4 < 3 && *k != 5) {
+        let _ = writeln!(text, "f {} {} {} {}", k + 1, k + 2, k + 6, k + 5);
+    }
+    let surface = file(&folder, "frame.obj", &text);
+    let with = |more: &[&str]| json(&[&[&*surface, "preset:disk", "--repair", "--json"], more].concat());
+    assert_eq!(with(&[])["counts"]["m"], 12);
+    assert_eq!(with(&["--boundary-loop", "1"])["counts"]["m"], 12);
+    assert_eq!(with(&["--boundary-loop", "2"])["counts"]["m"], 4);
+    let missing = fails(&[&surface, "preset:disk", "--repair", "--boundary-loop", "3"], 1);
+    assert!(missing.contains("2 boundary loops") && missing.contains("not 3"), "{missing}");
+    fails(&[&surface, "preset:disk", "--boundary-loop", "2"], 2);
+    fails(&[&surface, "preset:disk", "--repair", "--boundary-loop", "0"], 2);
 }

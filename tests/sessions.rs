@@ -242,10 +242,10 @@ fn points_outside_of_the_domains_are_reported() {
 #[test]
 fn an_outline_that_a_link_leaves_out_comes_from_a_file() {
     let folder = folder("left-out");
-    // a slit finer than a link can tell, in a disk
-    let disk = (1..240).map(|k| DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 240.0));
-    let slit = [DVec2::new(1.0, -1e-6), DVec2::new(0.8, 0.0), DVec2::new(1.0, 1e-6)];
-    let points: Vec<DVec2> = slit.into_iter().chain(disk).collect();
+    // a notch finer than the grid of a link
+    let notch = [(1.0, -6e-6), (0.9999, -6e-6), (0.9999, 6e-6), (1.0, 6e-6)].map(DVec2::from);
+    let rest = (1..40).map(|k| DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 40.0));
+    let points: Vec<DVec2> = notch.into_iter().chain(rest).collect();
     let outline = written(&folder, "rough.json", &serde_json::to_string(&points).unwrap());
     let mut session = coarse();
     session.apply(Change::SetOutline {

@@ -62,7 +62,8 @@ impl RiemapApp {
         if !scene::is_complete(&self.model) {
             return; // the picture does not show yet what would be written
         }
-        match file(&self.model, request) {
+        let picture = self.pictures.image.as_ref().map(|image| &*image.pixels);
+        match file(&self.model, request, picture) {
             Some(Ok(file)) => {
                 self.windows.exporter.tell(None);
                 platform::save_file(&file.name, file.bytes, self.workers.mailbox.clone());

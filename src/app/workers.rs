@@ -18,6 +18,10 @@ use web_time::Instant;
 /// a desktop and ten times as long on a phone. A worker that was terminated is noticed at once in other ways.
 pub const SILENCE_SECONDS: f64 = 180.0;
 
+/// How long a new worker may take until it says that it runs, in seconds: the program is compiled already; on a phone it
+/// takes about one. It may be terminated before it can be noticed otherwise.
+const START_SECONDS: f64 = 30.0;
+
 /// A request that a worker has not finished.
 struct Sent {
     request: Request,
@@ -95,8 +99,8 @@ impl Workers {
     /// The sides whose workers have been silent for too long, with the generations of their requests; those workers are
     /// stopped.
     pub fn stop_silent(&mut self) -> Vec<(Side, u64)> {
-        let silent = |side: &Side| self.sent[*side].as_ref().is_some_and(|sent| sent.silence() >= SILENCE_SECONDS);
-        let silent: Vec<Side> = Side::BOTH.into_iter().filter(silent).collect();
+        let is_silent = |side: &Side| self.patience(*side).is_some_and(|left| left <= 0.0);
+        let silent: Vec<Side> = Side::BOTH.into_iter().filter(is_silent).collect();
         for &side in &silent {
             self.preparer.stop(side);
         }
@@ -105,14 +109,14 @@ impl Workers {
 
     /// The seconds until a worker will have been silent for too long.
     pub fn silent_in(&self) -> Option<f64> {
-        let silences = self.sent.iter().filter_map(|(_, sent)| Some(sent.as_ref()?.silence()));
-        silences.reduce(f64::max).map(|silence| (SILENCE_SECONDS - silence).max(0.0))
+        let left = Side::BOTH.into_iter().filter_map(|side| self.patience(side));
+        left.reduce(f64::min).map(|left| left.max(0.0))
     }
-}
 
-impl Sent {
-    fn silence(&self) -> f64 {
-        self.heard.elapsed().as_secs_f64()
+    /// The seconds that a side's worker may still be silent; `None` if it has no request.
+    fn patience(&self, side: Side) -> Option<f64> {
+        let limit = if self.preparer.has_started(side) { SILENCE_SECONDS } else { START_SECONDS };
+        Some(limit - self.sent[side].as_ref()?.heard.elapsed().as_secs_f64())
     }
 }
 

@@ -1,14 +1,15 @@
 //! `riemap flatten`: parameterizes a surface over an outline and writes it with texture coordinates.
 
-use super::flatten_arguments::{FlattenArguments, UvArgument, read};
+use super::corners::Corners;
+use super::flatten_arguments::{CornersArgument, FlattenArguments, UvArgument, read};
 use super::named_outline::{NamedOutline, read_outline};
 use super::output::{check_paths, edges_flipped, print, say_solver, triangles, warn_if_coarse, words, write_all};
 use super::progress::Progress;
 use super::tables::Counts;
 use super::{CliError, surface_picture};
 use crate::conformal::{
-    ConformalMap, Constraints, FrameTimings, MapError, MapSettings, MeshedDomain, MeshedSurface, PrepareSettings,
-    PrepareTimings, PreparedSide, Quality, Side, SurfaceSettings, prepare, prepare_surface,
+    ConformalMap, Constraints, CornerCuts, FrameTimings, MapError, MapSettings, MeshedDomain, MeshedSurface,
+    PrepareSettings, PrepareTimings, PreparedSide, Quality, Side, SurfaceSettings, prepare, prepare_surface,
 };
 use crate::export::{FileFormat, Flattened, Placement};
 use crate::laplace::SolverKind;
@@ -43,6 +44,8 @@ struct Summary {
     surface_point: Point,
     surface_anchor: f64,
     uv: Placement,
+    /// The outline's corners, if it has any and they were not switched off.
+    corners: Option<Corners>,
     /// What the outline's points were taken for.
     interpretation: Option<Interpreted>,
     timing_ms: Timings,
@@ -84,20 +87,26 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     let (whole, timings) = compute(arguments, &surface, &progress)?;
     progress.enter("writing");
     let map = &whole.map;
-    let flattened = Flattened::new(map, arguments.uv == UvArgument::Unit).ok_or_else(no_surface)?;
+    let unit = arguments.uv == UvArgument::Unit;
+    let cuts = whole.cuts.as_ref();
+    let flattened = match cuts {
+        Some(cuts) => Flattened::cut(map, cuts, unit),
+        None => Flattened::new(map, unit),
+    };
+    let flattened = flattened.ok_or_else(no_surface)?;
     let mut files = Vec::new();
     for (path, format) in arguments.out.iter().zip(formats) {
         let bytes = match format {
             Format::Surface(format) => flattened.encode(format),
             Format::Picture => {
-                surface_picture::png(&arguments.surface, map, &whole.constraints, false, arguments.size.0)?
+                surface_picture::png(&arguments.surface, map, cuts, &whole.constraints, false, arguments.size.0)?
             }
         };
         files.push((path.clone(), bytes));
     }
     write_all(&files)?;
     drop(progress);
-    let summary = summarize(&surface, &whole, flattened.placement, Timings { read, ..timings });
+    let summary = summarize(&surface, &whole, &flattened, Timings { read, ..timings });
     summary.notes.iter().chain(&summary.repairs).for_each(|note| eprintln!("riemap: {}: {note}", arguments.surface));
     if arguments.json {
         let text = serde_json::to_string_pretty(&summary).map_err(|error| CliError::Input(error.to_string()))?;
@@ -105,8 +114,9 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     }
     let Summary { quality, counts, flips, .. } = summary;
     let kind = summary.interpretation.map(|found| format!("\noutline: {}", words(found))).unwrap_or_default();
+    let corners = summary.corners.map(|corners| format!("\n{}", corners.said())).unwrap_or_default();
     print(&format!(
-        "m = {}, n = {}, {}; {}, negative weights {} → {}\nmean Q = {:.4}, {} flipped, {} collapsed{kind}",
+        "m = {}, n = {}, {}; {}, negative weights {} → {}\nmean Q = {:.4}, {} flipped, {} collapsed{kind}{corners}",
         counts.m,
         counts.n,
         triangles(counts.triangles),
@@ -122,6 +132,8 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
 /// A surface mapped over an outline.
 struct Parameterized {
     map: ConformalMap,
+    /// The surface divided at the outline's corners, if there are any.
+    cuts: Option<CornerCuts>,
     constraints: Constraints,
     sides: Sides,
     x2: BarycentricPoint,
@@ -137,8 +149,13 @@ fn compute(
 ) -> Result<(Parameterized, Timings), CliError> {
     let outline = read_outline(&arguments.outline, arguments.repair)?.interpreted(arguments.discretization.interpret);
     progress.enter(format!("checking {}", arguments.surface));
+    let outer = usize::from(arguments.boundary_loop) - 1;
     let (disk, check) =
-        timed(|| if arguments.repair { SurfaceMesh::repaired(surface) } else { SurfaceMesh::new(surface) });
+        timed(
+            || {
+                if arguments.repair { SurfaceMesh::repaired_around(surface, outer) } else { SurfaceMesh::new(surface) }
+            },
+        );
     let disk = disk.map_err(|error| about(&arguments.surface, &error))?;
     let sides = Sides::prepare(arguments, &outline, disk, progress)?;
     let x1 = arguments.outline_point.map_or(sides.domain.default_point(), |p| p.0);
@@ -155,7 +172,10 @@ fn compute(
     let map = ConformalMap::new(source, surface, &constraints, MapSettings::default());
     let map = map.map_err(|error| refused(&error, arguments))?;
     let frame = map.timings();
-    Ok((Parameterized { map, constraints, sides, x2, y2 }, Timings { frame, ..timings }))
+    let corners = outline.outline.corner_places();
+    let has_cuts = arguments.corners == CornersArgument::Hit && !corners.is_empty();
+    let cuts = if has_cuts { map.cut_corners(&corners) } else { None };
+    Ok((Parameterized { map, cuts, constraints, sides, x2, y2 }, Timings { frame, ..timings }))
 }
 
 /// Both prepared sides.
@@ -221,7 +241,7 @@ fn refused(error: &MapError, arguments: &FlattenArguments) -> CliError {
     })
 }
 
-fn summarize(surface: &Surface, whole: &Parameterized, uv: Placement, timing_ms: Timings) -> Summary {
+fn summarize(surface: &Surface, whole: &Parameterized, flattened: &Flattened, timing_ms: Timings) -> Summary {
     let Parameterized { map, sides, x2, y2, .. } = whole;
     let (prepared, meshed) = (map.mapped(), &sides.meshed);
     let disk = meshed.surface();
@@ -246,7 +266,8 @@ fn summarize(surface: &Surface, whole: &Parameterized, uv: Placement, timing_ms:
             position: meshed.position(*x2).to_array(),
         },
         surface_anchor: *y2,
-        uv,
+        uv: flattened.placement,
+        corners: whole.cuts.as_ref().map(|cuts| Corners::of(cuts, flattened)),
         interpretation: sides.interpreted,
         timing_ms,
     }

@@ -38,6 +38,10 @@ pub struct FlattenArguments {
     /// component, fill holes), and cut small loops and spikes off the outline.
     #[arg(long)]
     pub repair: bool,
+    /// Of several boundary loops the one that becomes the outline: 1 is the longest, which is the default. The others are
+    /// filled; with --repair.
+    #[arg(long, value_name = "K", requires = "repair", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
+    pub boundary_loop: u16,
     /// Use the surface's own cotangent weights, even negative ones, instead of flipping its edges to be Delaunay.
     #[arg(long)]
     pub no_intrinsic_delaunay: bool,
@@ -47,6 +51,10 @@ pub struct FlattenArguments {
     /// Texture coordinates: moved and scaled into the unit square, or left in the outline's coordinates.
     #[arg(long, default_value = "unit")]
     pub uv: UvArgument,
+    /// The outline's corners: hit exactly, with boundary edges divided where they lie, or left to the map, which cuts
+    /// those off that no boundary vertex is mapped to.
+    #[arg(long, default_value = "hit")]
+    pub corners: CornersArgument,
     /// Write the surface with its texture coordinates to this file; may be repeated; the extension selects the format:
     /// obj, ply, glb, csv (a line for each vertex), svg (the layout), png (the textured surface beside its layout).
     #[arg(long, value_name = "FILE")]
@@ -65,6 +73,14 @@ pub struct FlattenArguments {
 pub enum UvArgument {
     Unit,
     True,
+}
+
+/// The outline's corners.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum CornersArgument {
+    Hit,
+    Free,
 }
 
 /// A point of a surface.

@@ -308,7 +308,7 @@ impl Scene<'_> {
             None if map.is_through_disk() => surface_picture::png_of_two(*names, map, constraints, size),
             None => {
                 let side = map.mapped_side();
-                surface_picture::png(names[side], map, constraints, side == Side::Target, size)
+                surface_picture::png(names[side], map, None, constraints, side == Side::Target, size)
             }
         }
     }

@@ -9,6 +9,7 @@ mod animate;
 mod arguments;
 mod bench;
 #[cfg(all(unix, not(target_vendor = "apple")))]
+mod corners;
 mod display;
 mod figure;
 mod flatten;

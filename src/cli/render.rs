@@ -36,8 +36,8 @@ pub fn run(arguments: &RenderArguments) -> Result<(), CliError> {
     let bytes = match format {
         Format::Picture => picture(&offscreen, image.as_ref(), &shot)?,
         Format::File(format) => {
-            let request = FileRequest { format, side: shot.side, unit: true };
-            offscreen.file(request).map_err(|error| CliError::Input(error.to_string()))?.bytes
+            let request = FileRequest { format, side: shot.side, unit: true, corners: true };
+            offscreen.file(request, image.as_ref()).map_err(|error| CliError::Input(error.to_string()))?.bytes
         }
     };
     write_all(&[(arguments.out.clone(), bytes)])

@@ -4,7 +4,7 @@
 use super::CliError;
 use super::flatten_arguments::preset;
 use super::picture::{encode, failed};
-use crate::conformal::{ConformalMap, Constraints, MeshedDomain, MeshedSurface, PerSide, Side};
+use crate::conformal::{ConformalMap, Constraints, CornerCuts, MeshedDomain, MeshedSurface, PerSide, Side};
 use crate::export::Panel;
 use crate::geometry::{DVec2, DVec3};
 use crate::mesh::BarycentricPoint;
@@ -20,11 +20,12 @@ const CELLS: f64 = 16.0;
 /// Free space around surface and outline, as a part of a half's smaller side.
 const MARGIN: f64 = 0.06;
 
-/// Draws the map of a surface into the plane as PNG; the surface is on the right if `right`. A preset, identified by
-/// its name, is seen from its own direction.
+/// Draws the map of a surface into the plane as PNG, with the layout of `cuts` if there are any; the surface is on the
+/// right if `right`. A preset, identified by its name, is seen from its own direction.
 pub fn png(
     name: &str,
     map: &ConformalMap,
+    cuts: Option<&CornerCuts>,
     constraints: &Constraints,
     right: bool,
     size: [u32; 2],
@@ -49,8 +50,9 @@ pub fn png(
     let scale = size[1].min(size[0]) as f32 / 900.0;
     let wire =
         CellStyle { map: None, wire: Some(StrokeStyle::wire(false, scale)), marks: false, pixels_per_point: scale };
-    let triangles = surface.mesh().triangles();
-    let layout = SceneCells { positions: map.images(), triangles, codes: &[], style: wire };
+    let uncut = (map.images(), surface.mesh().triangles());
+    let (positions, triangles) = cuts.map_or(uncut, |cuts| (cuts.images(), cuts.triangles()));
+    let layout = SceneCells { positions, triangles, codes: &[], style: wire };
     let solid = SurfacePart {
         surface,
         coordinates: map.images(),

@@ -32,6 +32,7 @@ mod buffers;
 mod cauchy_green;
 mod comparison;
 mod constraints;
+mod corner_cuts;
 mod curved;
 mod disk_coordinates;
 mod distortion;
@@ -73,6 +74,7 @@ pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, ST
 use comparison::Differences;
 pub use comparison::{QuarteredError, prepare_quartered};
 pub use constraints::{Constraints, Direction, InteriorPoint, MapSettings, PerSide, Side};
+pub use corner_cuts::{AddedVertex, CornerCuts, Divided};
 #[cfg(feature = "io")]
 pub(crate) use curved::FlatEquation;
 pub use curved::{BoundaryEquation, CurveBoundary, CurveMap, ErrorEstimate, MAX_UNKNOWNS, Unsharpened};

@@ -2,10 +2,16 @@
 //!
 //! The vertices are those of the surface's file, all of them and in its order, and so are the triangles,
 //! except those that a repair has dropped. Triangles that fill a hole are omitted.
+//!
+//! Where the surface is divided at the outline's corners, the new vertices follow those of the file, and the other parts
+//! of divided triangles follow the triangles. What each new vertex divides is written too: in comments of OBJ and PLY, in
+//! three more columns of CSV, and in the `extras` of a GLB's mesh.
 
 use super::FileFormat;
-use crate::conformal::ConformalMap;
+use super::glb::{self, Base, Mesh};
+use crate::conformal::{ConformalMap, CornerCuts, Divided};
 use crate::geometry::{DVec2, DVec3};
+use crate::surface::SurfaceMesh;
 use std::fmt::Write as _;
 
 /// The transformation from positions in the outline to texture coordinates: `(position − origin) · scale`.
@@ -15,6 +21,16 @@ pub struct Placement {
     scale: f64,
 }
 
+/// What a vertex that is not in the surface's file divides, in the file's numbers counted from 0.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Division {
+    /// The edge between two vertices, at a fraction of its length from the first one.
+    Edge([u32; 2], f64),
+    /// A triangle, in its middle.
+    Triangle(u32),
+}
+
 /// A surface with texture coordinates.
 #[non_exhaustive]
 pub struct Flattened {
@@ -22,6 +38,8 @@ pub struct Flattened {
     triangles: Vec<[u32; 3]>,
     /// `None` for vertices that a repair has dropped.
     coordinates: Vec<Option<DVec2>>,
+    /// What the vertices divide that are not in the file; they are the last ones.
+    divisions: Vec<Division>,
     /// The transformation of the texture coordinates.
     pub placement: Placement,
 }
@@ -29,18 +47,54 @@ pub struct Flattened {
 impl Flattened {
     /// The surface as it was read, with images scaled into the unit box if `unit`; `None` if the map has no surface.
     pub fn new(map: &ConformalMap, unit: bool) -> Option<Self> {
-        let images = map.texture_coordinates();
+        let disk = map.mapped().surface()?.surface();
+        Some(Self::placed(disk, disk.mesh().triangles(), map.texture_coordinates(), unit))
+    }
+
+    /// As [`Self::new`], divided at the outline's corners; `None` unless `cuts` are of the map.
+    pub fn cut(map: &ConformalMap, cuts: &CornerCuts, unit: bool) -> Option<Self> {
+        let disk = map.mapped().surface()?.surface();
+        let own = disk.mesh().vertices().len();
+        if cuts.images().len() != own + cuts.added().len() {
+            return None;
+        }
+        let mut images = map.texture_coordinates();
+        for (origin, &image) in disk.vertex_origins().iter().zip(cuts.images()) {
+            if let Some(old) = images.get_mut(*origin as usize) {
+                *old = Some(image);
+            }
+        }
+        images.extend(cuts.images()[own..].iter().copied().map(Some));
+        let mut flattened = Self::placed(disk, cuts.triangles(), images, unit);
+        flattened.vertices.extend(cuts.added().iter().map(|added| added.place));
+        let parents = (disk.mesh().triangles().len()..cuts.triangles().len()).map(|k| (k, cuts.parent(k)));
+        let given = parents.filter(|(_, parent)| disk.origin_of_triangle(*parent).is_some());
+        flattened.triangles.extend(given.map(|(k, _)| cuts.triangles()[k].map(|v| number(disk, v))));
+        let divided = |divides: Divided| match divides {
+            Divided::Edge { ends, fraction } => Division::Edge(ends.map(|v| number(disk, v.number())), fraction),
+            Divided::Triangle(triangle) => Division::Triangle(disk.triangle_origins()[triangle.index()]),
+        };
+        flattened.divisions = cuts.added().iter().map(|added| divided(added.divides)).collect();
+        Some(flattened)
+    }
+
+    /// The triangles of the file, the first of `triangles`, and these images.
+    fn placed(disk: &SurfaceMesh, triangles: &[[u32; 3]], images: Vec<Option<DVec2>>, unit: bool) -> Self {
         let placement = if unit { unit_box(&images) } else { Placement { origin: DVec2::ZERO, scale: 1.0 } };
         let placed = |image: DVec2| (image - placement.origin) * placement.scale;
-        let disk = map.mapped().surface()?.surface();
-        let triangles = disk.mesh().triangles().iter();
-        let kept = triangles.zip(disk.origins_of_triangles()).filter(|(_, origin)| origin.is_some());
-        Some(Self {
+        let kept = triangles.iter().zip(disk.origins_of_triangles()).filter(|(_, origin)| origin.is_some());
+        Self {
             vertices: disk.origin_positions().collect(),
-            triangles: kept.map(|(t, _)| t.map(|v| disk.vertex_origins()[v as usize])).collect(),
+            triangles: kept.map(|(t, _)| t.map(|v| number(disk, v))).collect(),
             coordinates: images.into_iter().map(|image| image.map(placed)).collect(),
+            divisions: Vec::new(),
             placement,
-        })
+        }
+    }
+
+    /// What the vertices divide that are not in the file, from the first one on.
+    pub fn divisions(&self) -> &[Division] {
+        &self.divisions
     }
 
     /// The surface in a file format.
@@ -48,10 +102,17 @@ impl Flattened {
         match format {
             FileFormat::Obj => self.obj().into_bytes(),
             FileFormat::Ply => self.ply().into_bytes(),
-            FileFormat::Glb => self.glb(),
+            FileFormat::Glb => self.glb(None),
             FileFormat::Csv => self.csv().into_bytes(),
             FileFormat::Svg => self.svg().into_bytes(),
         }
+    }
+
+    /// The surface as a GLB, with a picture as its base color if there is one.
+    pub fn glb(&self, base: Option<&Base<'_>>) -> Vec<u8> {
+        let coordinates: Vec<DVec2> = self.coordinates.iter().map(|uv| uv.unwrap_or_default()).collect();
+        let mesh = Mesh { vertices: &self.vertices, triangles: &self.triangles, coordinates: &coordinates };
+        glb::encode(&mesh, self.placement, &self.divisions, base)
     }
 
     /// Positions and coordinates; (0, 0) for vertices without coordinates, which are in no triangle.
@@ -60,9 +121,25 @@ impl Flattened {
         self.vertices.iter().copied().zip(coordinates)
     }
 
+    /// A line for each vertex that is not in the file; numbers count from `first`.
+    fn told(&self, text: &mut String, lead: &str, first: u32) {
+        let from = self.vertices.len() - self.divisions.len();
+        for (vertex, division) in (from as u32 + first..).zip(&self.divisions) {
+            let _ = match *division {
+                Division::Edge([a, b], fraction) => {
+                    writeln!(text, "{lead} vertex {vertex} divides the edge {} {} at {fraction}", a + first, b + first)
+                }
+                Division::Triangle(t) => {
+                    writeln!(text, "{lead} vertex {vertex} is the middle of triangle {}", t + first)
+                }
+            };
+        }
+    }
+
     /// `vt k` belongs to `v k`.
     fn obj(&self) -> String {
         let mut text = String::from("# riemap: vertices in the order of the file, one vt for each\n");
+        self.told(&mut text, "#", 1);
         for (p, _) in self.rows() {
             let _ = writeln!(text, "v {} {} {}", p.x, p.y, p.z);
         }
@@ -76,8 +153,11 @@ impl Flattened {
     }
 
     fn ply(&self) -> String {
-        let mut text = format!(
-            "ply\nformat ascii 1.0\ncomment riemap: s t are texture coordinates\nelement vertex {}\n\
+        let mut text = String::from("ply\nformat ascii 1.0\ncomment riemap: s t are texture coordinates\n");
+        self.told(&mut text, "comment", 0);
+        let _ = write!(
+            text,
+            "element vertex {}\n\
              property double x\nproperty double y\nproperty double z\nproperty double s\nproperty double t\n\
              element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
             self.vertices.len(),
@@ -92,84 +172,21 @@ impl Flattened {
         text
     }
 
-    /// A row for each vertex; the coordinates are empty if a repair has dropped it.
+    /// A row for each vertex; the coordinates are empty if a repair has dropped it. With divided edges, three more
+    /// columns: the edge's ends, counted from 0, and the fraction; empty for vertices of the file and in triangles.
     fn csv(&self) -> String {
-        let mut text = String::from("x,y,z,u,v\n");
-        for (p, uv) in self.vertices.iter().zip(&self.coordinates) {
+        let is_divided = !self.divisions.is_empty();
+        let mut text = String::from(if is_divided { "x,y,z,u,v,edge from,edge to,at\n" } else { "x,y,z,u,v\n" });
+        let given = self.vertices.len() - self.divisions.len();
+        for (k, (p, uv)) in self.vertices.iter().zip(&self.coordinates).enumerate() {
             let uv = uv.map_or_else(|| ",".to_owned(), |uv| format!("{},{}", uv.x, uv.y));
-            let _ = writeln!(text, "{},{},{},{uv}", p.x, p.y, p.z);
+            let _ = write!(text, "{},{},{},{uv}", p.x, p.y, p.z);
+            let _ = match k.checked_sub(given).and_then(|k| self.divisions.get(k)) {
+                Some(Division::Edge([a, b], fraction)) => writeln!(text, ",{a},{b},{fraction}"),
+                Some(Division::Triangle(_)) | None => writeln!(text, "{}", if is_divided { ",,," } else { "" }),
+            };
         }
         text
-    }
-
-    /// One mesh in f32, as glTF requires; the second texture coordinate is 1 − v, since glTF's points down.
-    /// If f32 would lose the surface's shape, the vertices are stored relative to its center and scaled to unit size,
-    /// and the node holds the transformation.
-    fn glb(&self) -> Vec<u8> {
-        let (count, corners) = (self.vertices.len(), 3 * self.triangles.len());
-        let mut buffer = Vec::with_capacity(20 * count + 4 * corners);
-        let mut push = |value: f64| buffer.extend((value as f32).to_le_bytes());
-        let (middle, size) = self.frame();
-        // a vertex in no triangle may be anywhere
-        let most = DVec3::splat(f64::from(f32::MAX));
-        let placed = |p: DVec3| ((p - middle) / size).clamp(-most, most);
-        self.rows().for_each(|(p, _)| placed(p).to_array().into_iter().for_each(&mut push));
-        self.rows().for_each(|(_, uv)| [uv.x, 1.0 - uv.y].into_iter().for_each(&mut push));
-        self.triangles.as_flattened().iter().for_each(|v| buffer.extend(v.to_le_bytes()));
-        let (low, high) = self.vertices.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| {
-            let rounded = placed(p).as_vec3().as_dvec3();
-            (low.min(rounded), high.max(rounded))
-        });
-        let node = if (middle, size) == (DVec3::ZERO, 1.0) {
-            serde_json::json!({ "mesh": 0 })
-        } else {
-            serde_json::json!({ "mesh": 0, "translation": middle.to_array(), "scale": [size, size, size] })
-        };
-        let document = serde_json::json!({
-            "asset": { "version": "2.0", "generator": "riemap" },
-            "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [node],
-            "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0, "TEXCOORD_0": 1 }, "indices": 2 }] }],
-            "accessors": [
-                { "bufferView": 0, "componentType": 5126, "count": count, "type": "VEC3",
-                  "min": low.to_array(), "max": high.to_array() },
-                { "bufferView": 1, "componentType": 5126, "count": count, "type": "VEC2" },
-                { "bufferView": 2, "componentType": 5125, "count": corners, "type": "SCALAR" },
-            ],
-            "bufferViews": [
-                { "buffer": 0, "byteLength": 12 * count },
-                { "buffer": 0, "byteOffset": 12 * count, "byteLength": 8 * count },
-                { "buffer": 0, "byteOffset": 20 * count, "byteLength": 4 * corners },
-            ],
-            "buffers": [{ "byteLength": buffer.len() }],
-        });
-        let mut document = document.to_string().into_bytes();
-        document.resize(document.len().next_multiple_of(4), b' ');
-        let mut bytes = b"glTF\x02\0\0\0".to_vec();
-        bytes.extend((28 + document.len() as u32 + buffer.len() as u32).to_le_bytes());
-        for (kind, chunk) in [(b"JSON", &document), (b"BIN\0", &buffer)] {
-            bytes.extend((chunk.len() as u32).to_le_bytes());
-            bytes.extend(kind);
-            bytes.extend(chunk);
-        }
-        bytes
-    }
-
-    /// The origin and unit of a GLB's f32 coordinates: those of the file, unless the triangles are so far from its
-    /// origin, so large or so small that f32 would lose their shape.
-    fn frame(&self) -> (DVec3, f64) {
-        const FARTHEST: f64 = 16.0;
-        const SIZES: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
-        let (low, high) = self
-            .triangles
-            .iter()
-            .flatten()
-            .map(|&v| self.vertices[v as usize])
-            .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
-        let (middle, extent) = (low.midpoint(high), (high - low).max_element());
-        if SIZES.contains(&extent) && middle.abs().max_element() <= FARTHEST * extent {
-            return (DVec3::ZERO, 1.0);
-        }
-        (middle, extent)
     }
 
     /// The edges of the layout, 1000 units wide, v up.
@@ -192,6 +209,22 @@ impl Flattened {
         text.push_str("\"/>\n</svg>\n");
         text
     }
+}
+
+impl Placement {
+    /// The position in the outline of texture coordinates.
+    pub(super) fn position(self, coordinates: DVec2) -> DVec2 {
+        coordinates / self.scale + self.origin
+    }
+}
+
+/// The number in the file of a vertex of the mesh; those that are not in the file follow.
+fn number(disk: &SurfaceMesh, vertex: u32) -> u32 {
+    let origins = disk.vertex_origins();
+    origins
+        .get(vertex as usize)
+        .copied()
+        .unwrap_or_else(|| (disk.origin_count() + vertex as usize - origins.len()) as u32)
 }
 
 /// Maps the bounding box of the coordinates into [0, 1]², its larger side onto a whole side.

@@ -1,6 +1,6 @@
 //! Export of maps to files, for the command line and the app. Pure: turns maps into bytes, without I/O.
 //!
-//! `flattened`: surfaces with texture coordinates. `numbers`: tables and meshes of maps between any two sides.
+//! `flattened`: surfaces with texture coordinates; `glb`: as a self-contained glTF file. `numbers`: tables and meshes of maps between any two sides.
 //! `formula`: maps as rational functions, in numbers and code. `drawing`: vector graphics of the planar parts of a map,
 //! with the pattern lines of `ruling`; `hatching`: what a map does not cover.
 
@@ -8,15 +8,17 @@ mod drawing;
 mod flattened;
 mod format;
 mod formula;
+mod glb;
 mod hatching;
 mod numbers;
 mod polylines;
 mod ruling;
 
 pub use drawing::{Panel, Part, Wire, panels, parts, svg};
-pub use flattened::{Flattened, Placement};
+pub use flattened::{Division, Flattened, Placement};
 pub use format::FileFormat;
 pub use formula::{FormulaFile, FormulaFormat};
+pub use glb::Base;
 pub use hatching::{hatched, hatching};
 pub use numbers::{boundary_csv, mapped_obj};
 pub use polylines::Line;

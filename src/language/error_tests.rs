@@ -290,6 +290,18 @@ fn sessions_and_links_that_cannot_be_opened() {
         let outline = OutlineSpec::points(format!("a spike of the {side}"), polygon.clone());
         Command::SetOutline { side, outline }
     }));
+    let rough = |k: u32| 1.0 + 0.01 * f64::from(k * 7919 % 1000) / 1000.0;
+    let points: Vec<DVec2> =
+        (0..20_000).map(|k| rough(k) * DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 20_000.0)).collect();
+    let outline = OutlineSpec::points("a rough circle".into(), points.try_into().unwrap());
+    let long = Session::with([Command::SetOutline { side: Side::Target, outline }]);
+    let shortened = link::encode(&long).unwrap().shortened;
+    assert_eq!(shortened.len(), 1);
+    check(&key::link_copied_but(Message::from(&shortened[0])), false);
+    for reason in [key::browser_stores_nothing()] {
+        check(&key::files_not_kept(reason), false);
+        check(&key::only_session_kept(reason), false);
+    }
     let both = link::encode(&session).unwrap().left_out;
     assert_eq!(both.len(), 2);
     check(&key::link_copied_but(key::both_clauses(message(&both[0]), message(&both[1]))), false);

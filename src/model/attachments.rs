@@ -3,7 +3,6 @@
 use crate::model::Model;
 use crate::session::file::{Archive, Attachment};
 use crate::session::{History, Session};
-use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 impl Model {
@@ -16,23 +15,25 @@ impl Model {
 
     /// Keeps the files of the archive's surfaces. A name that a different file has already is changed, in all steps.
     pub fn keep_files(&mut self, archive: &mut Archive) {
-        let mut names = BTreeMap::new();
+        let mut names: Vec<(String, String)> = Vec::new();
         for Attachment { name, bytes } in &mut archive.surfaces {
             let kept = self.surface_files.keep(name, Arc::clone(bytes));
             if kept.name != *name {
-                names.insert(std::mem::replace(name, kept.name.clone()), kept.name);
+                names.push((std::mem::replace(name, kept.name.clone()), kept.name));
             }
         }
         if !names.is_empty() {
-            archive.history.rename_surface_files(&|name| names.get(name).map_or(name, String::as_str).to_owned());
+            let renamed =
+                |name: &str| names.iter().find(|(old, _)| old == name).map_or(name, |(_, new)| new.as_str()).to_owned();
+            archive.history.rename_surface_files(&renamed);
         }
     }
 
     /// The history with the files of surfaces that one of its steps uses, as far as they are at hand.
     pub fn archive(&self, history: History, picture: Option<Attachment>) -> Archive {
         let steps = history.past().iter().chain([history.now()]).chain(history.future());
-        let used: BTreeSet<&str> = steps.flat_map(Session::surface_files).collect();
-        let files = self.surface_files.used(|name| used.contains(name));
+        let used: Vec<&str> = steps.flat_map(Session::surface_files).collect();
+        let files = self.surface_files.used(|name| used.contains(&name));
         let surfaces =
             files.map(|file| Attachment { name: file.name.clone(), bytes: Arc::clone(&file.bytes) }).collect();
         Archive { history, surfaces, picture }

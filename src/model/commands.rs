@@ -47,6 +47,7 @@ impl Model {
             | Command::SetTexture(_)
             | Command::SetTextureSide(_)
             | Command::SetTextureScale(_)
+            | Command::PlacePicture(_)
             | Command::SetColouring(_)
             | Command::SetWireframe(_)
             | Command::SetPlots(_)

@@ -305,7 +305,7 @@ fn one_search_tree_is_built_at_a_time() {
 fn exported_images_between_two_surfaces_lie_on_the_other_surface() {
     let model = on_both_sides();
     let text = |format| {
-        let written = file(&model, FileRequest { format, side: None, unit: true }).unwrap();
+        let written = file(&model, FileRequest { format, side: None, unit: true, corners: true }, None).unwrap();
         written.map(|file| String::from_utf8(file.bytes).unwrap())
     };
     let places = model.map().unwrap().surface_images().unwrap().places();

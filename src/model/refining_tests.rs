@@ -267,16 +267,16 @@ fn uniform_samples_are_not_refined() {
 #[test]
 fn files_and_pictures_are_those_of_the_map_at_rest() {
     let model = at_rest([Preset::Disk, Preset::VShape]);
-    let request = FileRequest { format: FileFormat::Obj, side: None, unit: false };
-    let of_app = file(&model, request).unwrap().unwrap();
+    let request = FileRequest { format: FileFormat::Obj, side: None, unit: false, corners: true };
+    let of_app = file(&model, request, None).unwrap().unwrap();
     let vertices = of_app.bytes.split(|&b| b == b'\n').filter(|line| line.starts_with(b"v ")).count();
     assert_eq!(vertices, model.map().unwrap().mapped().vertex_count());
     let mut copy = Offscreen::of(&model, 1.0);
     while !copy.advance().unwrap() {}
-    assert!(copy.file(request).unwrap() == of_app, "a picture shows it too");
+    assert!(copy.file(request, None).unwrap() == of_app, "a picture shows it too");
     let headless = Offscreen::new(model.session(), PerSide::new(None, None), 1.0).unwrap();
-    assert!(headless.file(request).unwrap() == of_app);
+    assert!(headless.file(request, None).unwrap() == of_app);
     let mut film = Offscreen::moving(&model, 1.0);
     while !film.advance().unwrap() {}
-    assert!(film.file(request).unwrap() != of_app, "all of a film is on the full mesh");
+    assert!(film.file(request, None).unwrap() != of_app, "all of a film is on the full mesh");
 }

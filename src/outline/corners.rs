@@ -37,6 +37,14 @@ pub(super) fn corners(vertices: &[DVec2]) -> Vec<usize> {
     (0..n).filter(is_corner).collect()
 }
 
+/// The vertices at which a polygon turns by more than 2°: all that a person draws with straight edges, and none of the
+/// hundreds with which one approximates a curve.
+pub(super) fn polygon_corners(vertices: &[DVec2]) -> impl Iterator<Item = DVec2> + '_ {
+    let n = vertices.len();
+    let step = move |k: usize| vertices[(k + 1) % n] - vertices[k % n];
+    (0..n).filter(move |&k| turn_between(step(k + n - 1), step(k)).abs() > LEAST_TURN).map(|k| vertices[k])
+}
+
 /// The signed angle from one direction to another, with relative accuracy also near 0.
 pub(super) fn turn_between(a: DVec2, b: DVec2) -> f64 {
     a.perp_dot(b).atan2(a.dot(b))

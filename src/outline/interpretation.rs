@@ -5,11 +5,11 @@ use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
 
-use super::corners::corners;
+use super::corners::{corners, polygon_corners};
 use super::crossing::first_crossing;
 use super::smooth::{StaysPolygon, smooth_curve};
 use super::{Preset, Segment, flattened};
-use crate::geometry::{Curve, CurveError, DVec2, Junction, MAX_POINTS, SimplePolygon};
+use crate::geometry::{Curve, CurveError, CurvePoint, DVec2, Junction, MAX_POINTS, SimplePolygon};
 
 /// What is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -127,6 +127,14 @@ impl CurveForm {
         }
     }
 
+    /// The places of the outline's corners, in its order: of the curve, or of the polygon where the outline is one.
+    pub fn corner_places(&self, polygon: &SimplePolygon) -> Vec<DVec2> {
+        match self.curve(polygon) {
+            Ok(found) if found.is_smooth => found.corner_places().collect(),
+            Ok(_) | Err(_) => polygon_corners(polygon.vertices()).collect(),
+        }
+    }
+
     fn through_points(&self, polygon: &SimplePolygon) -> Result<Curve, StaysPolygon> {
         let count = polygon.vertices().len();
         if self.interpretation == Interpretation::Auto && count < LEAST_SMOOTH {
@@ -206,6 +214,11 @@ impl OutlineCurve {
     /// Why it is the polygon although that was not asked for.
     pub fn stays_polygon(&self) -> Option<&StaysPolygon> {
         self.stays.as_ref()
+    }
+
+    fn corner_places(&self) -> impl Iterator<Item = DVec2> + '_ {
+        let junctions = self.curve.junctions().iter().enumerate().filter(|(_, junction)| is_corner(junction));
+        junctions.map(|(k, _)| self.curve.position(CurvePoint::new(k, 0.0)))
     }
 
     /// The number of its corners; junctions that turn by less than 1e-6 are none.

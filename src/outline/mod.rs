@@ -20,7 +20,7 @@ mod smooth;
 use std::fmt;
 
 use crate::counted::counted;
-use crate::geometry::{CurveError, SimplePolygon};
+use crate::geometry::{CurveError, DVec2, SimplePolygon};
 pub use flatten::flattened;
 pub use interpretation::{CurveForm, CurveSource, Interpretation, Interpreted, LEAST_SMOOTH, OutlineCurve};
 #[cfg(feature = "io")]
@@ -88,6 +88,11 @@ impl Outline {
     /// The curve that the polygon samples. Errors: as [`CurveForm::curve`].
     pub fn curve(&self) -> Result<OutlineCurve, CurveError> {
         self.form.curve(&self.polygon)
+    }
+
+    /// The places of the corners: [`CurveForm::corner_places`].
+    pub fn corner_places(&self) -> Vec<DVec2> {
+        self.form.corner_places(&self.polygon)
     }
 
     /// The boundary, without name and notes.

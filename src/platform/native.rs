@@ -47,6 +47,12 @@ impl Preparer {
     #[allow(clippy::unused_self, reason = "in the browser there are workers")]
     pub fn stop(&mut self, _side: Side) {}
 
+    /// Always true: a thread runs as soon as it is there.
+    #[allow(clippy::unused_self, reason = "in the browser there are workers")]
+    pub fn has_started(&self, _side: Side) -> bool {
+        true
+    }
+
     /// Starts a thread for `request`.
     pub fn request(&mut self, side: Side, request: Request) {
         let mailbox = self.mailbox.clone();

@@ -154,6 +154,15 @@ fn flatten(image: &mut RgbaImage) {
     }
 }
 
+/// The image over the palette's paper color, opaque, with `margin` pixels of paper around it.
+pub fn on_paper(image: &RgbaImage, margin: u32) -> RgbaImage {
+    let (width, height) = image.dimensions();
+    let mut framed = RgbaImage::from_pixel(width + 2 * margin, height + 2 * margin, image::Rgba(paper_bytes()));
+    image::imageops::replace(&mut framed, image, i64::from(margin), i64::from(margin));
+    flatten(&mut framed);
+    framed
+}
+
 fn paper_bytes() -> [u8; 4] {
     PAPER.map(|component| (255.0 * component).round() as u8)
 }

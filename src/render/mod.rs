@@ -60,6 +60,7 @@ pub use film::{Film, FilmError, FilmFormat, FilmSettings, MOST_FRAMES, SECONDS};
 pub use gpu::{Graphics, Target, sample_count};
 #[cfg(not(target_arch = "wasm32"))]
 pub use headless::{Studio, headless_device, render_scene, render_scene_with};
+pub use image_texture::on_paper;
 pub use local_scale::{LocalScale, double_area};
 pub use orbit_camera::{BoundingSphere, OrbitCamera};
 pub use png_file::PngFile;

@@ -2,6 +2,7 @@
 
 use super::style::{HUE, PAPER};
 use super::{Camera, Pattern, TextureStyle};
+use crate::geometry::PictureFrame;
 use glam::DVec2;
 
 /// The fragment entry points, in the order of [`pattern_index`].
@@ -13,7 +14,7 @@ pub fn pattern_index(pattern: Pattern) -> usize {
         Pattern::Checker => 0,
         Pattern::Grid => 1,
         Pattern::Polar => 2,
-        Pattern::Image => 3,
+        Pattern::Image | Pattern::Placed(_) => 3,
         Pattern::Conformal => 4,
     }
 }
@@ -25,6 +26,8 @@ pub struct PatternUniform {
     lookup: [f32; 4],
     source: [f32; 4],
     image: [f32; 4],
+    /// The image's middle, its angle, and 1 where there is paper around it.
+    placed: [f32; 4],
     hue: [[f32; 4]; 3],
     paper: [f32; 4],
 }
@@ -38,12 +41,19 @@ impl PatternUniform {
         let lookup = (origin - middle).as_vec2();
         let pole = (style.pole - middle).as_vec2();
         let cells_per_unit = (style.cells / extent.max_element()) as f32;
-        // The image covers the bounds, its aspect kept: the longer side is cropped.
-        let covered = DVec2::new(extent.x.max(extent.y * image_aspect), extent.y.max(extent.x / image_aspect));
+        let (covered, placed) = if let Pattern::Placed(placement) = style.pattern {
+            let PictureFrame { middle: at, size, turn } = placement.frame(style.bounds, image_aspect);
+            (size, [(at.x - middle.x) as f32, (at.y - middle.y) as f32, turn as f32, 1.0])
+        } else {
+            // its aspect kept: the longer side is cropped
+            let covered = [extent.x.max(extent.y * image_aspect), extent.y.max(extent.x / image_aspect)];
+            (DVec2::from_array(covered), [0.0; 4])
+        };
         Self {
             lookup: [lookup.x, lookup.y, cells_per_unit, line_px],
             source: [(-0.5 * extent.y) as f32, (1.0 / extent.y) as f32, pole.x, pole.y],
             image: [(1.0 / covered.x) as f32, (1.0 / covered.y) as f32, 0.0, 0.0],
+            placed,
             hue: HUE,
             paper: PAPER,
         }

@@ -4,6 +4,7 @@
 //! a hex triple divided by 255.
 
 use super::ColourMap;
+use crate::geometry::PicturePlacement;
 use glam::DVec2;
 
 /// Control points, from top to bottom, of the quadratic Bézier curve that the
@@ -23,7 +24,7 @@ fn linear(encoded: f32) -> f32 {
 }
 
 /// The pattern drawn on one domain and transported by the map.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Pattern {
     /// Squares, alternately cream and in the vertical hue change.
     #[default]
@@ -36,8 +37,10 @@ pub enum Pattern {
     /// rays (a multiple of 4) at equal steps of the angle, and circles at the same steps of −ln of
     /// the radius, so that a conformal map shows all cells as squares. Its bounds are [`TextureStyle::DISK`].
     Conformal,
-    /// The image given to `ViewportRenderer::set_image`.
+    /// The image given to `ViewportRenderer::set_image`: it covers the bounds, and what is longer is cropped.
     Image,
+    /// That image at a place in the bounds, on paper.
+    Placed(PicturePlacement),
 }
 
 /// The texture of a viewport, described in the domain to which it belongs: usually the source.

@@ -2,7 +2,7 @@
 
 use super::{Colouring, Comparison, OutlineSpec, Session, SidePoints, SideState, SurfaceSpec, TextureKind, Touched};
 use crate::conformal::{Direction, Extension, InteriorPoint, PrepareSettings, Side};
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, PicturePlacement};
 
 /// A change of the session.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,6 +58,8 @@ pub enum Command {
     SetTexture(TextureKind),
     SetTextureScale(f64),
     SetTextureSide(Side),
+    /// Moves, scales and turns the image, within the limits.
+    PlacePicture(PicturePlacement),
     SetColouring(Colouring),
     SetWireframe(bool),
     SetPlots(bool),
@@ -84,7 +86,9 @@ impl Command {
             Self::SetSettings { .. } | Self::RefineSurface { .. } | Self::SetDirection(_) | Self::SetExtension(_) => {
                 Touched::SETTINGS
             }
-            Self::SetTexture(_) | Self::SetTextureScale(_) | Self::SetTextureSide(_) => Touched::PATTERN,
+            Self::SetTexture(_) | Self::SetTextureScale(_) | Self::SetTextureSide(_) | Self::PlacePicture(_) => {
+                Touched::PATTERN
+            }
             Self::SetColouring(_) | Self::SetWireframe(_) => Touched::COLOURS,
             Self::SetPlots(_) => Touched::PLOTS,
             Self::SetComparison(_) => Touched::COMPARISON,
@@ -136,6 +140,7 @@ impl Session {
             Command::SetTexture(texture) => self.display.texture = texture,
             Command::SetTextureScale(scale) => self.display.texture_scale = scale,
             Command::SetTextureSide(side) => self.display.texture_side = side,
+            Command::PlacePicture(placement) => self.display.picture = placement.within_limits(),
             Command::SetColouring(colouring) => self.display.colouring = colouring,
             Command::SetWireframe(shown) => self.display.wireframe = shown,
             Command::SetPlots(open) => self.display.plots = open,

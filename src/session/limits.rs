@@ -4,7 +4,7 @@
 //! preparation would take all memory or not end.
 
 use super::{DomainSpec, Session, SurfaceShape, SurfaceState};
-use crate::geometry::MAX_COORDINATE;
+use crate::geometry::{MAX_COORDINATE, PICTURE_MIDDLE, PICTURE_SIZE, PICTURE_TURN, PicturePlacement};
 use crate::mesh::Sizing;
 use crate::outline::Sampling;
 use std::ops::RangeInclusive;
@@ -38,6 +38,9 @@ pub enum Quantity {
     /// The cells of the texture across its domain.
     #[error("the number of cells of the texture")]
     Cells,
+    /// The placement of the image.
+    #[error("the placement of the picture")]
+    Picture,
     /// m.
     #[error("the number of boundary samples")]
     Samples,
@@ -84,6 +87,11 @@ impl Session {
         }
         sides().try_for_each(|side| within(Quantity::Anchor, side.anchor, &(0.0..=1.0)))?;
         within(Quantity::Cells, self.display.texture_scale, &CELLS)?;
+        let PicturePlacement { middle, size, turn } = self.display.picture;
+        within(Quantity::Picture, middle.x, &PICTURE_MIDDLE)?;
+        within(Quantity::Picture, middle.y, &PICTURE_MIDDLE)?;
+        within(Quantity::Picture, size, &PICTURE_SIZE)?;
+        within(Quantity::Picture, turn, &PICTURE_TURN)?;
         sides().filter_map(|side| side.surface.as_ref()).try_for_each(check_surface)
     }
 }
@@ -166,6 +174,9 @@ mod tests {
         refused(|s, side| s.sides[side].interior = Some(DVec2::new(0.0, f64::INFINITY)), "inf");
         refused(|s, side| s.sides[side].anchor = -0.1, "boundary point");
         refused(|s, _| s.display.texture_scale = 1e9, "cells");
+        refused(|s, _| s.display.picture.size = 0.0, "picture");
+        refused(|s, _| s.display.picture.turn = f64::NAN, "picture");
+        refused(|s, _| s.display.picture.middle.y = 11.0, "picture");
         refused_surface(|state| state.anchor = f64::NAN, "surface's boundary point");
         let point = |weights| Some(BarycentricPoint::new(TriangleId::new(0), weights));
         refused_surface(|state| state.point = point([0.5, 0.5, 0.5]), "sum");

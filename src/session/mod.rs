@@ -28,7 +28,7 @@ use view::Display;
 pub use view::{Colouring, Comparison, DiskWay, TextureKind};
 
 use crate::conformal::{Constraints, Direction, Extension, KernelMode, MapSettings, PerSide, PrepareSettings, Side};
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, PicturePlacement};
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
 
@@ -121,6 +121,11 @@ impl Session {
     /// The side on which the pattern is defined: it is pushed forward from the source or pulled back from the target.
     pub fn texture_side(&self) -> Side {
         self.display.texture_side
+    }
+
+    /// Where the image lies, relative to the domain of its side.
+    pub fn picture(&self) -> PicturePlacement {
+        self.display.picture
     }
 
     /// What the triangles are colored by.

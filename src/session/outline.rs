@@ -63,6 +63,14 @@ impl OutlineSpec {
         }
     }
 
+    /// The places of the outline's corners: [`CurveForm::corner_places`].
+    pub fn corner_places(&self) -> Vec<DVec2> {
+        match self {
+            Self::Preset(preset) => preset.outline().corner_places(),
+            Self::Points { polygon, form, .. } => form.corner_places(polygon),
+        }
+    }
+
     /// The form of this outline's curve for an edited form of its polygon: the interpretation stays, and the vertices
     /// that were switched, where the edited polygon has them. An edited path is a list of points.
     pub fn carried_form(&self, edited: &SimplePolygon) -> CurveForm {

@@ -190,6 +190,7 @@ fn commands() -> Vec<Command> {
         Command::SetTexture(TextureKind::Polar),
         Command::SetTextureScale(3.0),
         Command::SetTextureSide(Side::Target),
+        Command::PlacePicture(PicturePlacement { size: 0.5, ..PicturePlacement::default() }),
         Command::SetColouring(Colouring::Area),
         Command::SetWireframe(true),
         Command::SetPlots(true),
@@ -216,7 +217,7 @@ fn differences(a: &Session, b: &Session) -> Touched {
         (of_surfaces(|a, b| a.spec.is_like(&b.spec) && a.spec != b.spec), Touched::SETTINGS),
         (sides(|a, b| a.domain.settings != b.domain.settings), Touched::SETTINGS),
         (a.display.direction != b.display.direction || a.display.extension != b.display.extension, Touched::SETTINGS),
-        (a.display.texture != b.display.texture, Touched::PATTERN),
+        (a.display.texture != b.display.texture || a.display.picture != b.display.picture, Touched::PATTERN),
         (
             a.display.texture_side != b.display.texture_side || a.display.texture_scale != b.display.texture_scale,
             Touched::PATTERN,

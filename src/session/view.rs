@@ -1,6 +1,7 @@
 //! The display settings of a map: pattern, colors, comparisons.
 
 use crate::conformal::{Direction, Extension, Side};
+use crate::geometry::PicturePlacement;
 
 /// The settings of the map and of its display, the same for both sides.
 ///
@@ -18,6 +19,9 @@ pub(super) struct Display {
     pub(super) wireframe: bool,
     pub(super) plots: bool,
     pub(super) comparison: Comparison,
+    /// Where the image lies; left out where it is the default, as sessions had none before.
+    #[serde(skip_serializing_if = "PicturePlacement::is_default")]
+    pub(super) picture: PicturePlacement,
 }
 
 /// Squares across a domain at the start: about 25 points wide in a window of 1280×720, so that their shape is seen in the
@@ -36,6 +40,7 @@ impl Default for Display {
             wireframe: false,
             plots: false,
             comparison: Comparison::default(),
+            picture: PicturePlacement::default(),
         }
     }
 }

@@ -33,7 +33,13 @@ impl SurfaceMesh {
 
     /// The surface after all safe repairs that it needs; [`Self::repairs`] lists them.
     pub fn repaired(surface: &Surface) -> Result<Self, TopologyError> {
-        Self::ordered(repair(surface.clone())?, &surface.vertices)
+        Self::repaired_around(surface, 0)
+    }
+
+    /// As [`Self::repaired`], with the boundary loop number `outline`, counted from 0 by falling length, as the boundary;
+    /// the others are filled. Errors: there is no such loop.
+    pub fn repaired_around(surface: &Surface, outline: usize) -> Result<Self, TopologyError> {
+        Self::ordered(repair(surface.clone(), outline)?, &surface.vertices)
     }
 
     /// The mesh.

@@ -4,7 +4,7 @@ use super::repair::{ADDED, RepairNote, Repaired};
 use super::survey::report;
 use crate::geometry::DVec3;
 
-/// Fills all `loops` but the first one, the longest. The new triangles come last.
+/// Fills all `loops` but the first one. The new triangles come last.
 pub(super) fn fill_holes(repaired: &mut Repaired, loops: &[Vec<u32>]) {
     let Some(holes) = loops.get(1..).filter(|holes| !holes.is_empty()) else { return };
     let reports = holes.iter().map(|hole| report(&repaired.surface, hole)).collect();

@@ -2,14 +2,14 @@
 //!
 //! Triangles that name a vertex twice are dropped, and those with the corners of an earlier one; the rest is oriented
 //! consistently, as most of its triangles are; the component with the most triangles is kept; vertices
-//! in no triangle are dropped; all holes but the longest boundary loop are filled. Faults whose repair would
+//! in no triangle are dropped; all boundary loops but one, unless asked otherwise the longest, are filled. Faults whose repair would
 //! need a guess (edges of three triangles, vertices that join parts, flat triangles) stay errors.
 
 use super::duplicates::duplicates;
 use super::edges::EdgeTable;
 use super::fill::fill_holes;
 use super::orient::turned;
-use super::survey::{check_edges, check_values, components, connectivity, repeats};
+use super::survey::{check_edges, check_values, components, connectivity, repeats, report};
 use super::{LoopReport, Surface, TopologyError};
 use crate::counted::counted;
 
@@ -123,9 +123,9 @@ impl Repaired {
     }
 }
 
-/// Makes the safe repairs; an error if a fault needs another. The result may still not be a
+/// Makes the safe repairs; of the boundary loops, the longest first, number `outline` is not filled. An error if a fault needs another. The result may still not be a
 /// disk (closed, with handles, with flat triangles): [`super::SurfaceMesh::new`] reports that. Cost O(n log d).
-pub(super) fn repair(surface: Surface) -> Result<Repaired, TopologyError> {
+pub(super) fn repair(surface: Surface, outline: usize) -> Result<Repaired, TopologyError> {
     check_values(&surface)?;
     let mut repaired = Repaired::untouched(surface);
     let count = repaired.retain(|_, corners| !repeats(corners));
@@ -137,8 +137,15 @@ pub(super) fn repair(surface: Surface) -> Result<Repaired, TopologyError> {
     drop(edges);
     keep_largest(&mut repaired);
     drop_unreferenced(&mut repaired);
-    let found = connectivity(&repaired.surface)?;
-    fill_holes(&mut repaired, &found.loops);
+    let mut loops = connectivity(&repaired.surface)?.loops;
+    if outline > 0 && outline >= loops.len() {
+        let loops = loops.iter().map(|l| report(&repaired.surface, l)).collect();
+        return Err(TopologyError::NoLoop { asked: outline + 1, loops });
+    }
+    if outline > 0 {
+        loops[..=outline].rotate_right(1);
+    }
+    fill_holes(&mut repaired, &loops);
     Ok(repaired)
 }
 

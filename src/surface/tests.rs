@@ -201,6 +201,23 @@ fn loops_and_handles_are_counted() {
 }
 
 #[test]
+fn any_boundary_loop_can_be_the_outline() {
+    let mut surface = grid(4);
+    surface.triangles.retain(|t| ![[6, 7, 12], [6, 12, 11], [7, 8, 13], [7, 13, 12]].contains(t));
+    for (outline, vertices, filled) in [(0, 16, 6), (1, 6, 16)] {
+        let mesh = SurfaceMesh::repaired_around(&surface, outline).unwrap();
+        assert_eq!(mesh.mesh().boundary_count(), vertices);
+        let [RepairNote::FilledHoles { holes, .. }] = mesh.repairs() else { panic!("{:?}", mesh.repairs()) };
+        assert_eq!(holes.iter().map(|hole| hole.vertices).collect::<Vec<_>>(), [filled]);
+    }
+    assert_eq!(SurfaceMesh::repaired_around(&surface, 0), SurfaceMesh::repaired(&surface));
+    let Err(TopologyError::NoLoop { asked: 3, loops }) = SurfaceMesh::repaired_around(&surface, 2) else {
+        panic!("there are two loops")
+    };
+    assert_eq!(loops.len(), 2);
+}
+
+#[test]
 fn holes_are_filled_and_marked() {
     let mut surface = grid(5);
     // a square hole, and a triangular one

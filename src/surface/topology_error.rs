@@ -185,6 +185,14 @@ pub enum TopologyError {
         /// All loops, the longest first.
         loops: Vec<LoopReport>,
     },
+    /// The surface has fewer boundary loops than asked for.
+    #[error("the surface has {} boundary loops ({}), not {asked}", .loops.len(), Listed(.loops))]
+    NoLoop {
+        /// The number of the loop, counted from 1, the longest.
+        asked: usize,
+        /// All loops, the longest first.
+        loops: Vec<LoopReport>,
+    },
     /// The surface has handles.
     #[error("{}", counted!(
         *genus,

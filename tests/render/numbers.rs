@@ -3,9 +3,11 @@
 use super::support::*;
 use glam::DVec2;
 use image::RgbaImage;
+use riemap::geometry::PicturePlacement;
 use riemap::render::{
     Camera, Handle, MeshGeometry, Pattern, RenderError, SceneDescription, StrokeStyle, TextureStyle, render_scene_with,
 };
+use std::f64::consts::FRAC_PI_2;
 
 #[test]
 fn checker_has_its_exact_colours_inside_and_the_background_outside() {
@@ -104,6 +106,31 @@ fn a_flat_colour_arrives_as_asked() {
         let flat = RgbaImage::from_pixel(4, 4, colour);
         let image = render(gpu, &[square(style(Pattern::Image, 1.0))], Some(&flat), [100, 100]);
         assert_pixel(&image, [50, 50], colour.0, 1, "image colour");
+    }
+}
+
+#[test]
+fn a_placed_image_lies_on_paper_where_it_is_put() {
+    let Some(gpu) = gpu() else { return };
+    let (left, right) = ([200, 60, 50, 255], [40, 90, 220, 255]);
+    let halves = RgbaImage::from_fn(8, 4, |x, _| image::Rgba(if x < 4 { left } else { right }));
+    // 1 wide and 0.5 high, upright after a quarter turn, with its middle at (0.5, 0)
+    let placement = PicturePlacement { middle: DVec2::new(0.25, 0.0), size: 0.5, turn: FRAC_PI_2 };
+    let image = render(gpu, &[square(style(Pattern::Placed(placement), 1.0))], Some(&halves), [100, 100]);
+    for (pixel, colour) in [([70, 62], left), ([62, 66], left), ([70, 38], right), ([78, 34], right)] {
+        assert_pixel(&image, pixel, colour, 1, "the left half is below");
+    }
+    for pixel in [[57, 50], [83, 50], [70, 27], [70, 73], [20, 20]] {
+        assert_pixel(&image, pixel, bytes(TextureStyle::paper()), 2, "paper");
+    }
+    // the whole of it at first: as wide as the square, half as high
+    let whole = style(Pattern::Placed(PicturePlacement::default()), 1.0);
+    let image = render(gpu, &[square(whole)], Some(&halves), [100, 100]);
+    for (pixel, colour) in [([11, 50], left), ([89, 50], right), ([30, 31], left), ([70, 69], right)] {
+        assert_pixel(&image, pixel, colour, 1, "whole");
+    }
+    for pixel in [[30, 27], [70, 73]] {
+        assert_pixel(&image, pixel, bytes(TextureStyle::paper()), 2, "above and below");
     }
 }
 

@@ -4,12 +4,15 @@
 const early = [];
 const keep = (event) => early.push(event.data);
 
-// A lock is held until the worker ends: the page notices by it that a worker was terminated.
+// A lock is held until the worker ends: the page notices by it that a worker was terminated. Where there are no locks,
+// the page only hears that the worker runs.
 function hold(name) {
-  globalThis.navigator?.locks?.request(name, () => {
-    self.postMessage({ locked: name });
+  const { locks } = globalThis.navigator ?? {};
+  if (!locks) return self.postMessage({ locked: false });
+  locks.request(name, () => {
+    self.postMessage({ locked: true });
     return new Promise(() => {});
-  }).catch(() => {});
+  }).catch(() => self.postMessage({ locked: false }));
 }
 
 async function boot({ data: { glue, module, lock } }) {

@@ -9,6 +9,7 @@
 //! | hit test and drag state of the four dots | `handles` |
 //! | keyboard focus, Tab and arrow keys | `keyboard`, `keyboard_navigation` |
 //! | canceled touches | `touches` |
+//! | whether gestures move the texture's picture | `picture_placing` |
 
 pub mod action;
 pub mod address_options;
@@ -16,6 +17,7 @@ pub mod handles;
 pub mod keyboard;
 pub mod keyboard_navigation;
 pub mod locks;
+pub mod picture_placing;
 pub mod preferences;
 pub mod presentation;
 pub mod touches;

@@ -5,6 +5,7 @@
 //! | the column of controls | `side_panel`, `surface_panel`, `play_panel` |
 //! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `invariants_panel` |
 //! | the welcome of the first visit | `welcome` |
+//! | the placement of the texture's picture | `picture_panel` |
 //! | title, buttons, messages and legend of a picture | `header` |
 //! | the menu of outlines and surfaces | `shapes` |
 //! | the offer to trace a picture | `offer` |
@@ -15,6 +16,7 @@ mod interpretation;
 pub mod invariants_panel;
 pub mod method;
 pub mod offer;
+mod picture_panel;
 pub mod play_panel;
 pub mod shapes;
 pub mod side_panel;

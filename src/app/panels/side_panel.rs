@@ -6,7 +6,7 @@ use super::surface_panel;
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::{Control, guarded, guarded_by};
 use crate::app::overlays;
-use crate::app::panels::{advanced, play_panel};
+use crate::app::panels::{advanced, picture_panel, play_panel};
 use crate::app::theme::Palette;
 use crate::app::theme::explained::{explained_heading, group_heading};
 use crate::app::theme::widgets::{Segment, captioned_slider, segmented};
@@ -93,6 +93,9 @@ fn texture(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut A
             }
             ui.add(egui::Label::new(RichText::new(image_name.unwrap_or_default()).color(palette.weak)).truncate());
         });
+        if image_name.is_some() {
+            picture_panel::show(ui, model, actions);
+        }
     } else {
         let shown = overlays::panel::scale(session);
         if let Some(scale) = captioned_slider(ui, tr(key::scale()), &shown, session.texture_scale(), CELLS, true) {

@@ -9,6 +9,7 @@
 //! | a side's picture: of a plane or of a surface | `picture` |
 //! | dragging and painting the dots | `dots` |
 //! | the marks at an outline's corners | `corners` |
+//! | moving the texture's picture | `picture_gestures` |
 //! | a small circle with a cross, and its image | `probe` |
 //! | uploads to the GPU and drawing | `gpu`, `gpu_extension`, `cells` |
 //! | the legend of triangle colors | `legend` |
@@ -20,6 +21,7 @@ pub mod gpu;
 mod gpu_extension;
 pub mod legend;
 pub mod picture;
+mod picture_gestures;
 pub mod pictures;
 pub mod planar;
 pub mod probe;

@@ -16,6 +16,7 @@ use crate::app::viewport::dots;
 use crate::app::viewport::dots::Dot;
 use crate::app::viewport::gpu::ViewportCallback;
 use crate::app::viewport::picture::Picture;
+use crate::app::viewport::picture_gestures;
 use crate::app::viewport::probe;
 use crate::app::viewport::view::View;
 use crate::conformal::Side;
@@ -49,13 +50,24 @@ pub fn interact(
     actions: &mut Actions,
 ) -> Option<f64> {
     let response = ui.interact(view.rect, ui.scope_id().with(("viewport", side)), Sense::click_and_drag());
-    if pinch(ui, &response, view) {
+    let places_picture = picture_gestures::is_active(ui.ctx(), side, model);
+    let has_two_fingers = if places_picture {
+        picture_gestures::pinch(ui, &response, side, model, view, actions)
+    } else {
+        pinch(ui, &response, view)
+    };
+    if has_two_fingers {
         handles.release();
         return None;
     }
     drag_dots(ui, &response, side, model, view, handles, actions);
     let holds_probe = probe::interact(ui, &response, side, model, view, handles);
-    move_camera(ui, &response, view, handles.grip.is_some() || holds_probe, handles.hovered.is_none());
+    let is_held = handles.grip.is_some() || holds_probe;
+    if places_picture {
+        picture_gestures::drag(ui, &response, side, model, view, is_held, actions);
+    } else {
+        move_camera(ui, &response, view, is_held, handles.hovered.is_none());
+    }
     let is_over = handles.grip.is_some() || handles.hovered.is_some();
     corners::interact(ui, &response, side, model, view, is_over, actions);
     match keyboard_navigation::of_viewport(ui, &response, side, handles) {

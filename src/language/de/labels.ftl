@@ -486,6 +486,9 @@ target_heading = Bild
 ground = Grund
 transparent = Durchsichtig
 transparent_tooltip = Ohne die Farbe hinter der Abbildung
+corners = Ecken
+hit_corners = Genau treffen
+hit_corners_tooltip = Die Randkanten der Fläche werden dort geteilt, wo die Ecken des Umrisses liegen, damit keine Ecke leer bleibt. Neue Eckpunkte stehen hinter denen der Datei.
 dots = Punkte
 both_points = Innerer Punkt und Randpunkt
 both_points_tooltip = Die Punkte x und y auf beiden Seiten
@@ -575,6 +578,18 @@ map = Abbildung
 mesh = Netz
 mesh_tooltip = Die Kanten des abgebildeten Netzes und seines Bildes auf der anderen Seite
 texture = Muster
+move_picture = Im Bild verschieben
+move_picture_tooltip = Ziehen verschiebt es. Scrollen oder zwei Finger ändern die Größe; Umschalt und Scrollen oder zwei drehende Finger drehen es.
+picture_across = Rechts
+picture_across_tooltip = Von der Mitte des Umrisses nach rechts, in Teilen seiner größeren Seite
+picture_up = Oben
+picture_up_tooltip = Von der Mitte des Umrisses nach oben, in Teilen seiner größeren Seite
+picture_size = Größe
+picture_size_tooltip = Bei 100 % passt das ganze Bild über den Umriss
+picture_turn = Drehung
+picture_turn_tooltip = Gegen den Uhrzeigersinn, in Grad
+whole_picture = Ganzes Bild zeigen
+whole_picture_tooltip = Aufrecht, in der Mitte des Umrisses
 choose = Wählen…
 scale = Maßstab
 samples = Randpunkte
@@ -728,7 +743,7 @@ repair = Reparieren
 ## viewport
 
 drag_dot = Punkt ziehen
-drop_for_side = Hier einen Umriss oder eine Fläche für diese Seite ablegen oder ein Foto als Muster
+drop_for_side = Hier einen Umriss (SVG, JSON, CSV) oder ein Netz (OBJ, PLY, STL, glTF) für diese Seite ablegen oder ein Bild (PNG, JPEG) als Muster
 
 ## widgets
 

@@ -268,6 +268,7 @@ repair_dropped_vertices = { $count ->
 surface_file_malformed = { $place }: { $fault }
 topology_components = die Fläche hat { $count } Teile (Dreiecke: { $sizes }): den größten behalten
 topology_loops = die Fläche hat { $count } Randkurven, eine Scheibe hat eine: alle außer der längsten füllen. Es sind { $loops }
+topology_no_loop = die Fläche hat { $count } Randkurven ({ $loops }), nicht { $asked }
 boundary_loop = Länge { $length } mit { $vertices } Ecken bei Ecke { $first }
 repair_filled_hole = { $triangles ->
     [one] 1 Loch wurde mit 1 Dreieck gefüllt
@@ -430,6 +431,7 @@ limit_version = die Version der Sitzung
 limit_coordinate = eine Koordinate eines inneren Punkts
 limit_anchor = die Lage eines Randpunkts
 limit_cells = die Anzahl der Zellen der Textur
+limit_picture = die Lage des Bildes
 limit_samples = die Anzahl der Randpunkte
 limit_growth = das Wachstum der Dreiecke
 limit_surface_boundary = die Anzahl der Randecken der Fläche

@@ -486,6 +486,9 @@ target_heading = Target
 ground = Ground
 transparent = Transparent
 transparent_tooltip = Without the colour behind the map
+corners = Corners
+hit_corners = Hit exactly
+hit_corners_tooltip = The surface’s boundary edges are divided where the outline’s corners lie, so that no corner stays empty. New vertices follow those of the file.
 dots = Dots
 both_points = Interior and boundary point
 both_points_tooltip = The dots of x and y on both sides
@@ -575,6 +578,18 @@ map = Map
 mesh = Mesh
 mesh_tooltip = The edges of the mapped mesh, and of its image on the other side
 texture = Pattern
+move_picture = Move it in the picture
+move_picture_tooltip = Dragging moves it. Scrolling or two fingers scale it; Shift and scrolling, or turning two fingers, turn it.
+picture_across = Across
+picture_across_tooltip = From the middle of the outline to the right, in its larger side
+picture_up = Up
+picture_up_tooltip = From the middle of the outline upwards, in its larger side
+picture_size = Size
+picture_size_tooltip = At 100 % the whole picture fits over the outline
+picture_turn = Turn
+picture_turn_tooltip = Counter-clockwise, in degrees
+whole_picture = Show the whole picture
+whole_picture_tooltip = Upright, in the middle of the outline
 choose = Choose…
 scale = Scale
 samples = Samples
@@ -728,7 +743,7 @@ repair = Repair it
 ## viewport
 
 drag_dot = drag a dot
-drop_for_side = Drop an outline or a surface for this side, or an image as the texture
+drop_for_side = Drop an outline (SVG, JSON, CSV) or a mesh (OBJ, PLY, STL, glTF) for this side, or a picture (PNG, JPEG) as the texture
 
 ## widgets
 

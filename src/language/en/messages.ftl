@@ -268,6 +268,7 @@ repair_dropped_vertices = { $count ->
 surface_file_malformed = { $place }: { $fault }
 topology_components = the surface has { $count } components: keep the largest one (triangles: { $sizes })
 topology_loops = the surface has { $count } boundary loops where a disk has one: fill all but the longest. They are { $loops }
+topology_no_loop = the surface has { $count } boundary loops ({ $loops }), not { $asked }
 boundary_loop = length { $length } with { $vertices } vertices at vertex { $first }
 repair_filled_hole = { $triangles ->
     [one] 1 hole was filled with 1 triangle
@@ -430,6 +431,7 @@ limit_version = the session's version
 limit_coordinate = a coordinate of an interior point
 limit_anchor = the place of a boundary point
 limit_cells = the number of cells of the texture
+limit_picture = the placement of the picture
 limit_samples = the number of boundary samples
 limit_growth = the growth of the triangles
 limit_surface_boundary = the number of boundary vertices of the surface

@@ -74,6 +74,7 @@ impl From<Quantity> for Label {
             Quantity::Coordinate => key::limit_coordinate(),
             Quantity::Anchor => key::limit_anchor(),
             Quantity::Cells => key::limit_cells(),
+            Quantity::Picture => key::limit_picture(),
             Quantity::Samples => key::limit_samples(),
             Quantity::Growth => key::limit_growth(),
             Quantity::SurfaceBoundary => key::limit_surface_boundary(),

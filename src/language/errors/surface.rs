@@ -39,6 +39,9 @@ impl From<&TopologyError> for Message {
             }
             TopologyError::Unreferenced { vertex, count } => key::topology_unreferenced(*count, *vertex),
             TopologyError::Closed { genus } => key::topology_closed(*genus),
+            TopologyError::NoLoop { asked, loops } => {
+                key::topology_no_loop(loops.len(), listed(loops, |each| each.into()), *asked)
+            }
             TopologyError::Loops { loops } => key::topology_loops(loops.len(), listed(loops, |each| each.into())),
             TopologyError::Genus { genus } => key::topology_genus(*genus),
         }

@@ -102,8 +102,9 @@ keys_of_labels! {
     // sessions
     link_copied,
     // settings
-    show, unit_box, true_scale, unit_box_tooltip, true_scale_tooltip, both, source_heading, target_heading, ground,
-    transparent, transparent_tooltip, dots, both_points, both_points_tooltip, coordinates, size, width_pixels, height_pixels, motion, duration,
+    show, unit_box, true_scale, unit_box_tooltip, true_scale_tooltip, corners, hit_corners, hit_corners_tooltip, both,
+    source_heading, target_heading, ground, transparent, transparent_tooltip, dots, both_points, both_points_tooltip,
+    coordinates, size, width_pixels, height_pixels, motion, duration,
     duration_tooltip, pictures, pictures_tooltip,
     // shapes
     open_file, draw_freehand, draw_freehand_tooltip, draw_lines, draw_lines_tooltip,
@@ -119,7 +120,9 @@ keys_of_labels! {
     n_shift_n, n_shift_n_about, arrow_keys_delete, arrow_keys_delete_about, escape, escape_about, ctrl_v,
     ctrl_v_about,
     // side panel
-    map, mesh, mesh_tooltip, texture, choose, scale, samples, keep_corners, keep_corners_tooltip, as_many_as_needed,
+    map, mesh, mesh_tooltip, texture, choose, move_picture, move_picture_tooltip, picture_across,
+    picture_across_tooltip, picture_up, picture_up_tooltip, picture_size, picture_size_tooltip, picture_turn,
+    picture_turn_tooltip, whole_picture, whole_picture_tooltip, scale, samples, keep_corners, keep_corners_tooltip, as_many_as_needed,
     adaptive_samples_tooltip, growth, forward, backward, angle, area, checker, grid, polar, image, adaptive,
     uniform_paper, graded, uniform_mesh, forward_tooltip, backward_tooltip, texture_tooltip, angle_tooltip,
     area_tooltip, checker_tooltip, lines, polar_tooltip, image_tooltip, adaptive_tooltip, uniform_paper_tooltip,

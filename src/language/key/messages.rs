@@ -36,7 +36,7 @@ keys_of_labels! {
     formula_cancelled,
     // session
     link_no_session, link_damaged, link_too_much, not_carried_inexact, limit_version, limit_coordinate, limit_anchor,
-    limit_cells, limit_samples, limit_growth, limit_surface_boundary, limit_weight, limit_weight_sum,
+    limit_cells, limit_picture, limit_samples, limit_growth, limit_surface_boundary, limit_weight, limit_weight_sum,
     limit_surface_anchor, choice_direction, choice_side, choice_kernel, choice_solver, choice_colouring,
     choice_texture, choice_extension, choice_comparison, choice_setting, choice_outline, choice_surface,
     // figures
@@ -105,7 +105,7 @@ keys_of_messages! {
     topology_non_manifold_vertex(count, vertex, fans); topology_unreferenced(count, vertex); topology_closed(genus);
     topology_genus(genus); repair_dropped_triangles(count); repair_dropped_duplicates(count); repair_oriented(count);
     repair_kept_largest(dropped, components); repair_dropped_vertices(count); surface_file_malformed(place, fault);
-    topology_components(count, sizes); topology_loops(count, loops); boundary_loop(length, vertices, first);
+    topology_components(count, sizes); topology_loops(count, loops); topology_no_loop(count, loops, asked); boundary_loop(length, vertices, first);
     repair_filled_hole(triangles); repair_filled_holes(holes, triangles); place_line(line); place_byte(offset);
     item_element(index, count); item_corner(index, count); item_vertex_property(name);
     item_triangle_corner(triangle, count); item_named_coordinate(name); unsupported_version(version);

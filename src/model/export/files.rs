@@ -1,11 +1,13 @@
 //! The map as a file of numbers or of vector graphics.
 
 use crate::conformal::{ConformalMap, Side};
-use crate::export::{FileFormat, Flattened, Panel, Part, Ruling, boundary_csv, mapped_obj, parts, svg};
+use crate::export::{Base, FileFormat, Flattened, Panel, Part, Ruling, boundary_csv, mapped_obj, parts, svg};
 use crate::language::{Message, key};
+use crate::model::export::picture_base::PictureBase;
 use crate::model::{Model, pattern};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::SurfaceShape;
+use image::RgbaImage;
 
 /// A file that is ready to be saved.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,13 +27,15 @@ pub struct FileRequest {
     pub side: Option<Side>,
     /// Whether a surface's texture coordinates are moved and scaled into the unit box.
     pub unit: bool,
+    /// Whether a surface is divided so that its layout reaches the outline's corners.
+    pub corners: bool,
 }
 
-/// The map that is shown as a file. `None` while there is no map. Errors: in words.
-pub fn file(model: &Model, request: FileRequest) -> Option<Result<ReadyFile, Message>> {
+/// The map that is shown as a file; a GLB contains `picture` if that is the texture. `None` while there is no map. Errors: in words.
+pub fn file(model: &Model, request: FileRequest, picture: Option<&RgbaImage>) -> Option<Result<ReadyFile, Message>> {
     let map = model.map()?;
     if model.abilities().has_layout() {
-        return surface_file(model, map.mapped_side(), request);
+        return surface_file(model, map.mapped_side(), request, picture);
     }
     let bytes = match request.format {
         FileFormat::Svg if map.is_through_disk() => disks(model, map, request.side)?,
@@ -49,10 +53,33 @@ pub fn file(model: &Model, request: FileRequest) -> Option<Result<ReadyFile, Mes
 }
 
 /// The surface as it was given, every vertex with its place in the outline.
-fn surface_file(model: &Model, side: Side, request: FileRequest) -> Option<Result<ReadyFile, Message>> {
+fn surface_file(
+    model: &Model,
+    side: Side,
+    request: FileRequest,
+    picture: Option<&RgbaImage>,
+) -> Option<Result<ReadyFile, Message>> {
     let (_, state) = model.surface(side)?;
-    let bytes = Flattened::new(model.map()?, request.unit)?.encode(request.format);
+    let flattened = flattened(model, side, request)?;
+    let picture = picture.filter(|_| request.format == FileFormat::Glb);
+    let bytes = match picture.and_then(|picture| PictureBase::new(model, picture)) {
+        Some(Ok(base)) => flattened.glb(Some(&Base { png: base.png(), lookup: &|place| base.lookup(place) })),
+        Some(Err(error)) => return Some(Err(error)),
+        None => flattened.encode(request.format),
+    };
     Some(Ok(ReadyFile { name: format!("{}-mapped.{}", stem(&state.spec.shape), request.format.extension()), bytes }))
+}
+
+/// A surface with its texture coordinates, divided at the corners of the outline unless it has none.
+fn flattened(model: &Model, side: Side, request: FileRequest) -> Option<Flattened> {
+    let map = model.map()?;
+    let outline = &model.session().domain(side.other()).outline;
+    let corners = if request.corners { outline.corner_places() } else { Vec::new() };
+    let cuts = map.cut_corners(&corners).filter(|cuts| !cuts.at_corners().is_empty());
+    match cuts {
+        Some(cuts) => Flattened::cut(map, &cuts, request.unit),
+        None => Flattened::new(map, request.unit),
+    }
 }
 
 fn stem(shape: &SurfaceShape) -> &str {
@@ -106,7 +133,9 @@ fn ruling(style: &TextureStyle) -> Ruling {
     let (low, high) = style.bounds;
     let spacing = (high - low).max_element() / style.cells;
     match style.pattern {
-        Pattern::Checker | Pattern::Grid | Pattern::Image => Ruling::Squares { origin: 0.5 * (low + high), spacing },
+        Pattern::Checker | Pattern::Grid | Pattern::Image | Pattern::Placed(_) => {
+            Ruling::Squares { origin: 0.5 * (low + high), spacing }
+        }
         Pattern::Polar => Ruling::Polar { pole: style.pole, spacing },
         Pattern::Conformal => Ruling::Conformal { rays: style.conformal_rays() },
     }

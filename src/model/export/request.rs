@@ -102,6 +102,15 @@ impl Kind {
     }
 }
 
+/// How a surface's texture coordinates are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Layout {
+    /// Whether they are moved and scaled into the unit box.
+    pub unit: bool,
+    /// Whether the surface is divided so that they reach the outline's corners.
+    pub corners: bool,
+}
+
 /// The settings of an export.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExportRequest {
@@ -115,8 +124,8 @@ pub struct ExportRequest {
     pub dots: bool,
     /// The side shown in pictures and drawings; `None`: both.
     pub side: Option<Side>,
-    /// Whether a surface's texture coordinates are moved and scaled into the unit box.
-    pub unit: bool,
+    /// How a surface's texture coordinates are written.
+    pub layout: Layout,
     /// The points that move in animations.
     pub path: Path,
     /// The duration of one loop of an animation, in seconds.
@@ -137,7 +146,7 @@ impl Default for ExportRequest {
             transparent: false,
             dots: true,
             side: None,
-            unit: true,
+            layout: Layout { unit: true, corners: true },
             path: Path::Boundary,
             seconds: 4.0,
             frames: 60,

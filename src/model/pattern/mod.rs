@@ -51,7 +51,7 @@ pub fn style(model: &Model, has_image: bool, dark: bool) -> Option<TextureStyle>
         TextureKind::Conformal if model.pattern_home().is_none() => Pattern::Conformal,
         // the conformal one, until there are disk coordinates
         TextureKind::Polar | TextureKind::Conformal => Pattern::Polar,
-        TextureKind::Image if has_image => Pattern::Image,
+        TextureKind::Image if has_image => Pattern::Placed(session.picture()),
         TextureKind::Checker | TextureKind::Image => Pattern::Checker,
     };
     let (bounds, pole) = match model.pattern_home() {

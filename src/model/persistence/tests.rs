@@ -126,17 +126,25 @@ fn a_failing_store_is_complained_of_once() {
 
 fn circle(name: &str, count: u32) -> OutlineSpec {
     let angle = |k: u32| std::f64::consts::TAU * f64::from(k) / f64::from(count);
-    // with noise, so that no link can hold it
+    // with noise, as of a coast
     let radius = |k: u32| 1.0 + 1e-2 * f64::from(k.wrapping_mul(2_654_435_761) >> 16) / 65536.0;
     let points: Vec<DVec2> = (0..count).map(|k| DVec2::from_angle(angle(k)) * radius(k)).collect();
     OutlineSpec::points(name.into(), points.try_into().unwrap())
 }
 
-/// A session whose source is too long for a link, and the decoded link.
+/// A polygon with a notch finer than the grid of a link.
+fn notched() -> OutlineSpec {
+    let notch = [(1.0, -6e-6), (0.9999, -6e-6), (0.9999, 6e-6), (1.0, 6e-6)].map(DVec2::from);
+    let rest = (1..40).map(|k| DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 40.0));
+    let points: Vec<DVec2> = notch.into_iter().chain(rest).collect();
+    OutlineSpec::points("rough".into(), points.try_into().unwrap())
+}
+
+/// A session whose source is too fine for a link, and the decoded link.
 fn with_missing() -> (Session, Decoded) {
     let mut session = Session::default();
     let side = Side::Source;
-    session.apply(Command::SetOutline { side, outline: circle("rough", 6000) });
+    session.apply(Command::SetOutline { side, outline: notched() });
     session.apply(Command::MoveInterior { side, point: DVec2::new(0.25, -0.125).into() });
     session.apply(Command::MoveAnchor { side, fraction: 0.75 });
     let decoded = link::decode(&link::encode(&session).unwrap().fragment).unwrap();

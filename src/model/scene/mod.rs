@@ -20,6 +20,7 @@ use crate::model::{Changes, Model, export, pattern};
 use crate::render::{CellCode, CellStyle, MeshGeometry, OrbitCamera, TextureStyle};
 use crate::session::{Command, Session, SurfaceShape, SurfaceSpec, SurfaceState};
 use crate::worker::{self, Response};
+use image::RgbaImage;
 
 /// A session whose map is complete.
 #[derive(Debug)]
@@ -178,10 +179,10 @@ impl Offscreen {
         self.cells.update(&self.model, self.pixels_per_point);
     }
 
-    /// The map as a file. Errors: in words.
-    pub fn file(&self, request: FileRequest) -> Result<ReadyFile, OffscreenError> {
+    /// The map as a file, as [`export::file`] has it. Errors: in words.
+    pub fn file(&self, request: FileRequest, picture: Option<&RgbaImage>) -> Result<ReadyFile, OffscreenError> {
         let nothing = || Err(key::no_map().into());
-        export::file(&self.model, request).unwrap_or_else(nothing).map_err(OffscreenError)
+        export::file(&self.model, request, picture).unwrap_or_else(nothing).map_err(OffscreenError)
     }
 
     /// The mapped mesh on a side, where the session shows more of it than the texture; between two surfaces it is shown

@@ -9,7 +9,7 @@
 //! `indices`, `record` and, of a side, `notes`. An outline is `{ points, text }`, a session `{ outlines, text, surfaces, picture }` with
 //! the loaded outlines of its undo steps and its files, a
 //! failure to read `{ text, repaired }`. `{ rehearsal }` has no response; a study is `{ study }`, a finding `{ finding }`;
-//! a panic is reported by `{ died }`, the lock that a worker holds by `{ locked }`. Small enums are JSON text in serde's form; what travels between
+//! a panic is reported by `{ died }`, a worker that runs says `{ locked }`, whether it holds its lock. Small enums are JSON text in serde's form; what travels between
 //! workers only is packed: `refused`, `record`, `study`, `finding`.
 
 use crate::conformal::{PrepareSettings, Resampled};
@@ -283,9 +283,9 @@ pub fn decode_finding(message: &JsValue) -> Option<Finding> {
     taken(message, "finding")
 }
 
-/// Whether a worker says that it holds the lock by which its end is noticed.
-pub fn is_lock(message: &JsValue) -> bool {
-    get(message, "locked").is_some()
+/// A worker's message that it runs: whether it holds the lock by which its end is noticed. `None` for other messages.
+pub fn decode_start(message: &JsValue) -> Option<bool> {
+    get(message, "locked")?.as_bool()
 }
 
 /// Encodes the report of a panic.

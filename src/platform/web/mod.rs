@@ -7,6 +7,7 @@ mod address;
 mod bridge;
 mod engine;
 mod files;
+mod graphics;
 mod image;
 mod keys;
 mod live_region;
@@ -23,9 +24,10 @@ pub use address::{
     visit,
 };
 pub use files::{drop_position, pick_file, read_dropped, save_file};
+pub use graphics::watch_graphics;
 pub use image::decode_image;
 pub use live_region::{describe, say};
-pub use page::{address_query, watch_graphics};
+pub use page::address_query;
 pub use preparer::Preparer;
 pub use store::{first_kept, keep, load_visit};
 pub use study_runner::StudyRunner;

@@ -1,11 +1,10 @@
-//! The page: canvas, loading indicator, failure messages; another canvas and device after the graphics were lost.
+//! The page: canvas, loading indicator, failure messages.
 
-use super::{address, bridge, files, keys};
+use super::{address, bridge, files, graphics, keys};
 use crate::model::files::FilePurpose;
 use crate::platform::{Event, Failure, Host, Mailbox};
 use eframe::WebRunner;
 use std::cell::{Cell, RefCell};
-use std::rc::Rc;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::Closure;
 use web_sys::{Document, HtmlCanvasElement};
@@ -43,33 +42,19 @@ impl<H: Host> eframe::App for Held<H> {
 
 /// The app that runs in the page.
 #[derive(Clone)]
-struct Running {
-    runner: WebRunner,
+pub struct Running {
+    pub runner: WebRunner,
     take_file: TakeFile,
     /// Rebuilds the graphics.
-    rebuild: fn(WebRunner, Mailbox),
-    mailbox: Mailbox,
+    pub rebuild: fn(WebRunner, Mailbox),
+    pub mailbox: Mailbox,
 }
-
-/// The most losses of the graphics, in [`LOSSES_WITHIN_MS`], after which they are rebuilt: more mean that the map itself
-/// is what the device cannot draw.
-const MOST_LOSSES: usize = 3;
-/// The time in which losses are counted, in ms.
-const LOSSES_WITHIN_MS: f64 = 60_000.0;
-/// The waits before each attempt to get another device, in ms: after a reset a driver takes a moment.
-const WAITS_MS: [i32; 5] = [0, 100, 500, 2000, 5000];
-/// The attributes of the canvas that another one takes over; its style would violate the page's policy.
-const CANVAS_ATTRIBUTES: [&str; 4] = ["id", "role", "aria-label", "aria-describedby"];
 
 /// Words for a failure in the app's language.
 type FailureWords = fn(&Failure) -> String;
 
 thread_local! {
     static RUNNING: RefCell<Option<Running>> = const { RefCell::new(None) };
-    /// The number of the graphics device, counted from 0; reports about a former one are ignored.
-    static DEVICE: Cell<u32> = const { Cell::new(0) };
-    /// When the graphics were lost.
-    static LOSSES: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
     /// [`Host::failure_words`] of the app.
     static FAILURE_WORDS: Cell<Option<FailureWords>> = const { Cell::new(None) };
 }
@@ -106,93 +91,24 @@ async fn run<H: Host>() -> Result<(), Failure> {
     })?;
     bridge::install::<H>(&runner);
     super::surroundings::tell_page(crate::platform::PageEvent::Ready, "");
-    RUNNING.set(Some(Running { runner, take_file: take_file::<H>, rebuild: rebuild::<H>, mailbox }));
+    RUNNING.set(Some(Running { runner, take_file: take_file::<H>, rebuild: graphics::rebuild::<H>, mailbox }));
     if let Some(loading) = document.get_element_by_id("loading") {
         loading.remove();
     }
     Ok(())
 }
 
-fn canvas(document: &Document) -> Result<HtmlCanvasElement, Failure> {
+/// The page's canvas.
+pub fn canvas(document: &Document) -> Result<HtmlCanvasElement, Failure> {
     let canvas = document.get_element_by_id("canvas").and_then(|element| element.dyn_into().ok());
     canvas.ok_or(Failure::NoCanvas)
 }
 
 /// Listens to what happens to a canvas.
-fn attend(canvas: &HtmlCanvasElement, mailbox: Mailbox) {
-    watch_canvas(canvas);
+pub fn attend(canvas: &HtmlCanvasElement, mailbox: Mailbox) {
+    graphics::watch_canvas(canvas);
     keys::keep(canvas);
     wake_when_cancelled(canvas, mailbox);
-}
-
-/// Takes the app out of its runner and starts it again, on another canvas with another device.
-fn rebuild<H: Host>(runner: WebRunner, mailbox: Mailbox) {
-    wasm_bindgen_futures::spawn_local(async move {
-        if let Err(failure) = reopened::<H>(&runner, mailbox).await {
-            show_failure(&failure);
-            runner.destroy();
-        }
-    });
-}
-
-async fn reopened<H: Host>(runner: &WebRunner, mailbox: Mailbox) -> Result<(), Failure> {
-    if has_lost_too_often() {
-        return Err(Failure::GraphicsLost);
-    }
-    let app = runner.app_mut::<Held<H>>().and_then(|mut held| held.0.take()).ok_or(Failure::GraphicsLost)?;
-    let app = Rc::new(RefCell::new(Some(app)));
-    for wait_ms in WAITS_MS {
-        wait(wait_ms).await;
-        let canvas = another_canvas().ok_or(Failure::NoCanvas)?;
-        attend(&canvas, mailbox.clone());
-        let app = Rc::clone(&app);
-        let creator: eframe::AppCreator<'static> = Box::new(move |creation| {
-            let mut app = app.take().ok_or("gone")?;
-            app.reopen(creation);
-            Ok(Box::new(Held(Some(app))))
-        });
-        match runner.start(canvas, web_options(H::avoids_webgpu()), creator).await {
-            Ok(()) => return Ok(()),
-            Err(error) => log::warn!("no graphics after a loss: {error:?}"),
-        }
-    }
-    Err(Failure::GraphicsLost)
-}
-
-/// Notes a loss; returns whether there were too many in a short time.
-fn has_lost_too_often() -> bool {
-    let now = js_sys::Date::now();
-    LOSSES.with_borrow_mut(|losses| {
-        losses.retain(|at| now - at < LOSSES_WITHIN_MS);
-        losses.push(now);
-        losses.len() > MOST_LOSSES
-    })
-}
-
-/// Puts another canvas in the place of the present one, whose context is lost for good.
-fn another_canvas() -> Option<HtmlCanvasElement> {
-    let document = document()?;
-    let former = canvas(&document).ok()?;
-    let canvas = document.create_element("canvas").ok()?.dyn_into::<HtmlCanvasElement>().ok()?;
-    for name in CANVAS_ATTRIBUTES {
-        if let Some(value) = former.get_attribute(name) {
-            canvas.set_attribute(name, &value).ok()?;
-        }
-    }
-    former.replace_with_with_node_1(&canvas).ok()?;
-    Some(canvas)
-}
-
-/// Waits for a time in ms.
-async fn wait(ms: i32) {
-    let passed = js_sys::Promise::new(&mut |resolve, _| {
-        let set = |window: web_sys::Window| window.set_timeout_with_callback_and_timeout_and_arguments_0(&resolve, ms);
-        // without a window nothing is waited for
-        if web_sys::window().map(set).is_none_or(|set| set.is_err()) {
-            let _ = resolve.call0(&wasm_bindgen::JsValue::NULL);
-        }
-    });
-    let _ = wasm_bindgen_futures::JsFuture::from(passed).await;
 }
 
 fn take_file<H: Host>(runner: &WebRunner, purpose: FilePurpose, (name, bytes): FileBytes) -> Option<FileBytes> {
@@ -206,9 +122,14 @@ fn take_file<H: Host>(runner: &WebRunner, purpose: FilePurpose, (name, bytes): F
     }
 }
 
+/// The app that runs in the page.
+pub fn running() -> Option<Running> {
+    RUNNING.with_borrow(Clone::clone)
+}
+
 /// Passes a file to the app between two frames, or through `mailbox` if the app is not available now.
 pub fn hand_over(purpose: FilePurpose, name: String, bytes: Result<Vec<u8>, String>, mailbox: &Mailbox) {
-    let left = match RUNNING.with_borrow(Clone::clone) {
+    let left = match running() {
         Some(Running { runner, take_file, .. }) => take_file(&runner, purpose, (name, bytes)),
         None => Some((name, bytes)),
     };
@@ -218,7 +139,7 @@ pub fn hand_over(purpose: FilePurpose, name: String, bytes: Result<Vec<u8>, Stri
 }
 
 /// `?backend=webgl` disables WebGPU, for comparison and for tests.
-fn web_options(avoids_webgpu: bool) -> eframe::WebOptions {
+pub fn web_options(avoids_webgpu: bool) -> eframe::WebOptions {
     let mut setup = egui_wgpu::WgpuSetupCreateNew::without_display_handle();
     if avoids_webgpu {
         setup.instance_descriptor.backends = wgpu::Backends::GL;
@@ -242,23 +163,6 @@ pub fn address_query() -> Vec<[String; 2]> {
     pairs().unwrap_or_default()
 }
 
-/// Rebuilds the graphics when the device is lost: WebGPU calls back, for WebGL the canvas gets an event.
-pub fn watch_graphics(device: &wgpu::Device, _mailbox: Mailbox) {
-    let number = DEVICE.get();
-    device.set_device_lost_callback(move |_reason, message| {
-        log::warn!("the graphics device was lost: {message}");
-        lose_graphics(number);
-    });
-}
-
-fn watch_canvas(canvas: &HtmlCanvasElement) {
-    let number = DEVICE.get();
-    let lost = Closure::<dyn FnMut()>::new(move || lose_graphics(number));
-    // listening to a named event does not fail
-    let _ = canvas.add_event_listener_with_callback("webglcontextlost", lost.as_ref().unchecked_ref());
-    lost.forget();
-}
-
 /// Requests a frame when a touch is cancelled: the drag ends in that frame, and nothing else requests one.
 fn wake_when_cancelled(canvas: &HtmlCanvasElement, mailbox: Mailbox) {
     let cancelled = Closure::<dyn FnMut(web_sys::Event)>::new(move |event: web_sys::Event| {
@@ -280,21 +184,8 @@ fn spare_prevention(event: &web_sys::Event) {
     }
 }
 
-/// Rebuilds the graphics after the loss of the device of this number. A frame may be in progress: the app is taken out
-/// of its runner after it. Before the app runs there is nothing to rebuild.
-fn lose_graphics(number: u32) {
-    if number != DEVICE.get() {
-        return;
-    }
-    DEVICE.set(number + 1);
-    match RUNNING.with_borrow(Clone::clone) {
-        Some(Running { runner, rebuild, mailbox, .. }) => rebuild(runner, mailbox),
-        None => show_failure(&Failure::GraphicsLost),
-    }
-}
-
 /// Shows a failure instead of the picture. Only the first one, since later failures follow from it.
-fn show_failure(failure: &Failure) {
+pub fn show_failure(failure: &Failure) {
     let (Some(document), Some(words)) = (document(), FAILURE_WORDS.get()) else { return };
     if let Some(loading) = document.get_element_by_id("loading") {
         loading.remove();
@@ -308,6 +199,7 @@ fn show_failure(failure: &Failure) {
     }
 }
 
-fn document() -> Option<Document> {
+/// The page's document.
+pub fn document() -> Option<Document> {
     web_sys::window()?.document()
 }

@@ -38,6 +38,11 @@ impl Preparer {
         }
     }
 
+    /// Whether a side's worker has said that it runs.
+    pub fn has_started(&self, side: Side) -> bool {
+        self.workers[side].as_ref().is_some_and(WorkerHandle::has_started)
+    }
+
     /// Terminates a side's worker; the next request starts another one.
     pub fn stop(&mut self, side: Side) {
         self.workers[side] = None;

@@ -45,6 +45,7 @@ pub struct Heard {
 pub struct WorkerHandle {
     worker: Worker,
     state: Rc<Cell<State>>,
+    has_started: Rc<Cell<bool>>,
     _on_message: Closure<dyn FnMut(MessageEvent)>,
     _on_error: Closure<dyn FnMut(ErrorEvent)>,
 }
@@ -63,20 +64,30 @@ impl WorkerHandle {
         let state = Rc::new(Cell::new(State::Idle));
         let lock =
             format!("riemap-worker-{:x}-{:x}", js_sys::Date::now() as u64, (js_sys::Math::random() * 1e9) as u64);
-        let ended = {
+        let has_started = Rc::new(Cell::new(false));
+        let starts = {
             let (mailbox, state, died, lock) = (mailbox.clone(), Rc::clone(&state), died.clone(), lock.clone());
-            move || {
+            let has_started = Rc::clone(&has_started);
+            move |is_locked| {
+                has_started.set(true);
                 let died = died.clone();
                 let death = move || died(key::worker_ended().into());
-                report_end(mailbox.clone(), Rc::clone(&state), death, lock.clone());
+                if is_locked {
+                    report_end(mailbox.clone(), Rc::clone(&state), death, lock.clone());
+                }
             }
         };
-        let on_message = listen(mailbox.clone(), Rc::clone(&state), (read, ended), died.clone());
+        let on_message = listen(mailbox.clone(), Rc::clone(&state), (read, starts), died.clone());
         let on_error = watch(mailbox.clone(), Rc::clone(&state), died);
         worker.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
         worker.set_onerror(Some(on_error.as_ref().unchecked_ref()));
         worker.post_message(&bootstrap(&lock)?)?;
-        Ok(Self { worker, state, _on_message: on_message, _on_error: on_error })
+        Ok(Self { worker, state, has_started, _on_message: on_message, _on_error: on_error })
+    }
+
+    /// Whether it has said that it runs.
+    pub fn has_started(&self) -> bool {
+        self.has_started.get()
     }
 
     /// The state of the worker.
@@ -124,13 +135,13 @@ fn report_end(mailbox: Mailbox, state: Rc<Cell<State>>, death: impl Fn() -> Even
 fn listen(
     mailbox: Mailbox,
     state: Rc<Cell<State>>,
-    (read, lives): (impl Fn(&JsValue) -> Option<Heard> + 'static, impl Fn() + 'static),
+    (read, starts): (impl Fn(&JsValue) -> Option<Heard> + 'static, impl Fn(bool) + 'static),
     died: impl Fn(Message) -> Event + 'static,
 ) -> Closure<dyn FnMut(MessageEvent)> {
     Closure::new(move |event: MessageEvent| {
         let message = event.data();
-        if messages::is_lock(&message) {
-            lives();
+        if let Some(is_locked) = messages::decode_start(&message) {
+            starts(is_locked);
             return;
         }
         let Some(Heard { event, goes_on }) = read(&message) else {

@@ -1,6 +1,7 @@
 //! Both formats are read back as written; damaged files are refused.
 
 use super::*;
+use crate::geometry::PicturePlacement;
 use crate::mesh::{BarycentricPoint, TriangleId};
 use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec};
 use serde_json::{Value, json};
@@ -53,6 +54,19 @@ fn what_is_written_is_read_bit_for_bit_in_the_oldest_format_that_holds_it() {
         let object = write_object(&session).unwrap();
         assert!(!object.contains("riemap"), "{object}");
         assert_eq!(read_object(&object), Ok(session));
+    }
+}
+
+#[test]
+fn the_placement_of_the_image_is_kept_and_files_without_it_have_the_whole_image() {
+    let placed = PicturePlacement { middle: DVec2::new(0.1, 2.0), size: 0.5, turn: 1.0 };
+    for session in [drawn(), solid()] {
+        let text = write(&session).unwrap();
+        assert!(!text.contains("picture") && read(text.as_bytes()).unwrap().picture().is_default());
+        let session = session.and([Command::PlacePicture(placed)]);
+        let text = write(&session).unwrap();
+        assert!(text.contains("\"version\": 2") && text.contains("picture"), "{text}");
+        assert_eq!(read(text.as_bytes()), Ok(session));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{FileError, OutlineForm};
 use crate::conformal::{Direction, Extension, PerSide, PrepareSettings, Side};
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, PicturePlacement};
 use crate::session::limits::{Quantity, within};
 use crate::session::view::Display;
 use crate::session::{Colouring, Comparison, DomainSpec, Session, SideState, SurfaceState, TextureKind};
@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 /// Whether the format can hold the session.
 pub(super) fn holds(session: &Session) -> bool {
     session.surface(Side::Source).is_none()
+        && session.picture().is_default()
         && Side::BOTH.iter().all(|&side| session.domain(side).outline.is_only_polygon())
 }
 
@@ -68,6 +69,8 @@ pub(super) struct Version1 {
     #[serde(default)]
     comparison: Comparison,
     #[serde(default)]
+    picture: PicturePlacement,
+    #[serde(default)]
     surface: Option<SurfaceState>,
 }
 
@@ -104,6 +107,7 @@ impl TryFrom<Version1> for Session {
                 wireframe: form.wireframe,
                 plots: form.plots,
                 comparison: form.comparison,
+                picture: form.picture,
             },
         })
     }

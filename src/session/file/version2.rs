@@ -3,7 +3,7 @@
 
 use super::{FileError, OutlineForm};
 use crate::conformal::{Direction, Extension, PerSide, PrepareSettings, Side};
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, PicturePlacement};
 use crate::session::limits::{Quantity, within};
 use crate::session::view::Display;
 use crate::session::{Colouring, Comparison, DomainSpec, Session, SideState, SurfaceState, TextureKind};
@@ -56,6 +56,8 @@ pub(super) struct Version2 {
     wireframe: bool,
     plots: bool,
     comparison: Comparison,
+    #[serde(default)]
+    picture: PicturePlacement,
 }
 
 #[derive(Deserialize)]
@@ -91,6 +93,7 @@ impl TryFrom<Version2> for Session {
                 wireframe: form.wireframe,
                 plots: form.plots,
                 comparison: form.comparison,
+                picture: form.picture,
             },
         })
     }

@@ -8,7 +8,7 @@
 use super::thinning::levels;
 use super::{MAX_LENGTH, fragment, prepared};
 use crate::conformal::{PerSide, Side};
-use crate::geometry::{DVec2, EdgeTree, SimplePolygon};
+use crate::geometry::{DVec2, EdgeTree, SimplePolygon, sort_by_number};
 use crate::outline::{CurveForm, Interpretation};
 use crate::session::{Command, OutlineSpec, Session, SidePoints};
 use std::cell::RefCell;
@@ -62,7 +62,7 @@ pub(super) fn applied(session: &Session, shortened: &PerSide<Option<Shortened>>)
 fn fitting(outlines: &PerSide<OutlineSpec>) -> Option<PerSide<Option<Shortened>>> {
     let sides = outlines.as_ref().map(Thinned::new);
     let mut all: Vec<f64> = sides.iter().filter_map(|(_, side)| side.as_ref()).flat_map(Thinned::finite).collect();
-    all.sort_by(f64::total_cmp);
+    sort_by_number(&mut all, |level| *level);
     all.dedup();
     let at = |level: f64| sides.as_ref().map(|side| side.as_ref().and_then(|side| side.at(level)));
     let fits = |level: f64| fits(outlines, &at(level));

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::conformal::{Direction, Extension, KernelMode, PrepareSettings};
-use crate::geometry::SimplePolygon;
+use crate::geometry::{PicturePlacement, SimplePolygon};
 use crate::laplace::SolverKind;
 use crate::mesh::{BarycentricPoint, Sizing, TriangleId};
 use crate::outline::{CurveForm, Preset, Sampling};
@@ -155,6 +155,21 @@ fn the_oldest_version_that_holds_a_session_is_written() {
         let fragment = encode(&session).unwrap().fragment;
         assert!(fragment.starts_with(version), "{fragment}");
     }
+}
+
+#[test]
+fn the_placement_of_the_image_travels_and_old_links_have_the_whole_image() {
+    assert!(decode(&encode(&everything()).unwrap().fragment).unwrap().session.picture().is_default());
+    let placed = PicturePlacement { middle: DVec2::new(0.25, -1.5), size: 3.75, turn: -2.0 };
+    let session = everything().and([Command::PlacePicture(placed)]);
+    assert_eq!(session.picture(), placed);
+    let fragment = encode(&session).unwrap().fragment;
+    assert!(fragment.starts_with("s=2."), "{fragment}");
+    assert_eq!(decode(&fragment).unwrap(), Decoded { session, missing: Vec::new() });
+    let wild = PicturePlacement { size: 0.0, ..placed };
+    let content = postcard::to_allocvec(&wild).unwrap();
+    let found = with_section(version2::Section { number: 4, may_be_skipped: true, content });
+    assert!(matches!(found, Err(LinkError::OutOfRange(_))), "{found:?}");
 }
 
 /// Decodes the link of [`solids`] with one more section.

@@ -12,7 +12,7 @@ use super::codes::Coded;
 use super::quantized::Quantized;
 use super::{Choice, Decoded, LinkError, MissingOutline};
 use crate::conformal::{PerSide, PrepareSettings, Side, SurfaceSettings};
-use crate::geometry::{DVec2, SimplePolygon};
+use crate::geometry::{DVec2, PicturePlacement, SimplePolygon};
 use crate::mesh::{BarycentricPoint, Sizing, TriangleId};
 use crate::outline::{CurveForm, Preset, Sampling};
 use crate::session::view::Display;
@@ -117,6 +117,7 @@ impl Version1 {
                     wireframe,
                     plots,
                     comparison,
+                    picture: _, // in a section of version 2
                 },
         } = session;
         let sides = [source, target];
@@ -175,6 +176,7 @@ impl Version1 {
                 wireframe: self.wireframe,
                 plots: self.plots,
                 comparison: Coded::of(self.comparison)?,
+                picture: PicturePlacement::default(),
             },
         };
         Ok(Decoded { session, missing })

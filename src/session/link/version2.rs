@@ -9,11 +9,13 @@
 //! |---|---|---|
 //! | 1 | the surface on the source's side, as `version1` has that of the target's | no |
 //! | 2, 3 | the source's, the target's outline with its curve, which version 1 says to be in a file | no |
+//! | 4 | the placement of the image, where it is not the default: it changes no map | yes |
 
 use super::curves::WiredCurve;
 use super::version1::{Surface, Version1, WiredOutline};
 use super::{Choice, Decoded, LinkError, MissingOutline};
 use crate::conformal::{PerSide, Side};
+use crate::geometry::PicturePlacement;
 use crate::session::{OutlineSpec, Session};
 use serde::{Deserialize, Serialize};
 
@@ -21,6 +23,8 @@ use serde::{Deserialize, Serialize};
 const SOURCE_SURFACE: u16 = 1;
 /// The sections with the sides' curves.
 const CURVES: PerSide<u16> = PerSide::new(2, 3);
+/// The section with the placement of the image.
+const PICTURE: u16 = 4;
 
 /// A session.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -38,7 +42,7 @@ pub(super) struct Section {
 
 /// Whether the session has something that only version 2 holds.
 pub(super) fn is_needed(session: &Session) -> bool {
-    session.surface(Side::Source).is_some()
+    session.surface(Side::Source).is_some() || !session.picture().is_default()
 }
 
 impl Version2 {
@@ -59,6 +63,10 @@ impl Version2 {
                 sections.push(Section { number: CURVES[side], may_be_skipped: false, content });
             }
         }
+        if !session.picture().is_default() {
+            let content = postcard::to_allocvec(&session.picture()).ok()?;
+            sections.push(Section { number: PICTURE, may_be_skipped: true, content });
+        }
         Some(Self { first: Version1::new(session, outlines), sections })
     }
 
@@ -74,6 +82,7 @@ impl Version2 {
                     }
                     *surface = Some(super::whole::<Surface>(content)?.state()?);
                 }
+                PICTURE => decoded.session.display.picture = super::whole::<PicturePlacement>(content)?,
                 _ if *number == CURVES.source => place_curve(&mut decoded, Side::Source, content)?,
                 _ if *number == CURVES.target => place_curve(&mut decoded, Side::Target, content)?,
                 _ if *may_be_skipped => {}

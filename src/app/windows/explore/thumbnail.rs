@@ -232,7 +232,7 @@ fn plain_colour(p: DVec2, style: &TextureStyle) -> [f32; 3] {
             (on_line(radius) || on_line(per_radian * g.to_angle()), 1.0 - g.length() / (high - low).max_element())
         }
         Pattern::Grid => (on_line(p.x / cell) || on_line(p.y / cell), (p.y - low.y) / (high.y - low.y)),
-        Pattern::Checker | Pattern::Image => {
+        Pattern::Checker | Pattern::Image | Pattern::Placed(_) => {
             let cells = ((p - 0.5 * (low + high)) / cell).floor();
             ((cells.x + cells.y).rem_euclid(2.0) == 0.0, (p.y - low.y) / (high.y - low.y))
         }

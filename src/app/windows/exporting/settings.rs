@@ -64,21 +64,32 @@ impl Exporter {
         if let Kind::Film(format) = kind {
             self.film(ui, around, height, format);
         }
-        if around.abilities.has_layout() && matches!(kind, Kind::File(format) if format != FileFormat::Svg) {
+        if around.abilities.has_layout() && matches!(kind, Kind::File(_)) {
+            self.layout_settings(ui, kind != Kind::File(FileFormat::Svg), height);
+        }
+    }
+
+    /// The rows of a surface's layout: the scale of its coordinates, and the outline's corners.
+    fn layout_settings(&mut self, ui: &mut Ui, has_scale: bool, height: f32) {
+        if has_scale {
             ui.label(tr(key::coordinates()));
             ui.horizontal(|ui| {
                 for (unit, label, tooltip) in [
                     (true, key::unit_box(), key::unit_box_tooltip()),
                     (false, key::true_scale(), key::true_scale_tooltip()),
                 ] {
-                    let choice = self.choice(ui, label, self.request.unit == unit, height);
+                    let choice = self.choice(ui, label, self.request.layout.unit == unit, height);
                     if choice.on_hover_text(tr(tooltip)).clicked() {
-                        self.request.unit = unit;
+                        self.request.layout.unit = unit;
                     }
                 }
             });
             ui.end_row();
         }
+        ui.label(tr(key::corners()));
+        let corners = ui.checkbox(&mut self.request.layout.corners, tr(key::hit_corners()));
+        self.note(key::hit_corners().english(), &corners.on_hover_text(tr(key::hit_corners_tooltip())));
+        ui.end_row();
     }
 
     fn size(&mut self, ui: &mut Ui, around: &Surroundings, height: f32) {

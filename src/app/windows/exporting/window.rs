@@ -74,7 +74,12 @@ impl Exporter {
     /// The chosen file of numbers or vector graphics; `None` for pictures and animations.
     pub fn file_request(&self) -> Option<FileRequest> {
         let Kind::File(format) = self.request.kind else { return None };
-        Some(FileRequest { format, side: self.request.side, unit: self.request.unit })
+        Some(FileRequest {
+            format,
+            side: self.request.side,
+            unit: self.request.layout.unit,
+            corners: self.request.layout.corners,
+        })
     }
 
     /// Starts a job, or shows the reason why it cannot start.
