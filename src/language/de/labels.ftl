@@ -458,7 +458,6 @@ setting_paper = Einstellungen des Artikels: gleichmäßige Punkte und Dreiecke
 setting_default = Voreinstellungen von riemap: adaptive Punkte, abgestufte Dreiecke
 table_1 = Tabelle 1: Vorbereitung, in Sekunden
 table_2 = Tabelle 2: ein Bild, in Millisekunden
-paper = Artikel
 factor = faktorisieren
 with_psi = mit Ψ
 zipper = Zipper

@@ -458,7 +458,6 @@ setting_paper = the paper's settings: uniform samples and triangles
 setting_default = riemap's defaults: adaptive samples, graded triangles
 table_1 = Table 1: preparation, in seconds
 table_2 = Table 2: a frame, in milliseconds
-paper = paper
 factor = factor
 with_psi = with Ψ
 zipper = Zipper

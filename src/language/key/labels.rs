@@ -97,7 +97,7 @@ keys_of_labels! {
     // presentation
     full_screen_tooltip, presentation_tooltip,
     // reports
-    done, too_large, tables_of_paper, convergence_of_paper, setting_paper, setting_default, table_1, table_2, paper,
+    done, too_large, tables_of_paper, convergence_of_paper, setting_paper, setting_default, table_1, table_2,
     factor, with_psi, zipper, bff_paper, psi_match_x1_moves, x2_moves, extend, stage_mesh,
     // sessions
     link_copied,

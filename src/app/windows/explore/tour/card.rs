@@ -45,7 +45,7 @@ fn content(ui: &mut Ui, step: usize, takes_focus: bool, actions: &mut Actions) {
     let Palette { text, weak, .. } = Palette::of(ui.visuals());
     let large = usize::from(presentation::is_large(ui.ctx()));
     let row = Frame::new().inner_margin(Margin { top: 6, ..Margin::ZERO });
-    Panel::bottom("tour buttons").resizable(false).show_separator_line(false).frame(row).show(ui, |ui| {
+    Panel::bottom("tour-buttons").resizable(false).show_separator_line(false).frame(row).show(ui, |ui| {
         ui.horizontal_wrapped(|ui| buttons(ui, step, all.len(), takes_focus, actions));
     });
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
