@@ -136,17 +136,6 @@ fn facts(
     });
 }
 
-/// Q̄ and its value. The bar is painted: the combining character is not placed over the letter before it.
-fn mean_q(ui: &mut Ui, mean: f64, ink: egui::Color32) -> egui::Response {
-    let response = ui.label(RichText::new(format!("Q {mean:.3}")).small().color(ink));
-    let font = egui::TextStyle::Small.resolve(ui.style());
-    let (left, above) = (response.rect.left(), response.rect.top() + BAR_ABOVE * font.size);
-    let width = text_width(ui, "Q", font);
-    ui.painter().hline(left..=left + width, above, egui::Stroke::new(1.0, ink));
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, format!("Q̄ {mean:.3}")));
-    response
-}
-
 /// m, n and the times of preparation of both sides, where there is room.
 fn sizes(ui: &mut Ui, model: &Model) {
     let prepared = || Side::BOTH.into_iter().filter_map(|side| Some((side, &**model.prepared(side)?)));
@@ -158,6 +147,17 @@ fn sizes(ui: &mut Ui, model: &Model) {
     let of_side = |(side, prepared)| format!("{}\n{}", words::side(side), words::details(prepared));
     let details = prepared().map(of_side).collect::<Vec<_>>().join("\n\n");
     ui.label(RichText::new(text).small().color(Palette::of(ui.visuals()).weak)).on_hover_text(details);
+}
+
+/// Q̄ and its value. The bar is painted: the combining character is not placed over the letter before it.
+fn mean_q(ui: &mut Ui, mean: f64, ink: egui::Color32) -> egui::Response {
+    let response = ui.label(RichText::new(format!("Q {}", number(mean, 3))).small().color(ink));
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let (left, above) = (response.rect.left(), response.rect.top() + BAR_ABOVE * font.size);
+    let width = text_width(ui, "Q", font);
+    ui.painter().hline(left..=left + width, above, egui::Stroke::new(1.0, ink));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, format!("Q̄ {}", number(mean, 3))));
+    response
 }
 
 /// The estimate of the error, or why there is none: sides are being sharpened, or stay with finite elements; and how far

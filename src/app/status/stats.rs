@@ -397,6 +397,7 @@ mod tests {
         "q_max",
         "q_mean",
         "ready",
+        "share",
         "source",
         "spoken",
         "surface_ms",

@@ -53,7 +53,7 @@ fn methods_are_folded_until_they_are_asked_for_and_each_is_explained() {
     harness.get_by_label("Advanced").click();
     harness.run_steps(3);
     assert!(harness.state().screen.preferences.habits.advanced && harness.query_by_label("Cholesky").is_some());
-    let words = "How the many linear equations";
+    let words = "Which side is cut into triangles";
     assert!(harness.query_by_label_contains(words).is_some_and(|button| button.rect().width() < 30.0));
     assert_eq!(harness.query_all_by_label_contains(words).count(), 1);
     harness.get_by_label_contains(words).click();

@@ -125,8 +125,7 @@ fn a_list_is_as_high_as_the_screen_allows() {
         let height = at(last).bottom() - at(first).top();
         assert!(height > 400.0 && at(last).bottom() < at(below).top(), "{height} points until {:?}", at(last));
     };
-    screen.get_by_label("Figures").click();
-    screen.run_steps(4);
+    act(&mut screen, Action::Explore(ExploreAction::Figures));
     check(&screen, ["m = 25", "x₁ = 0", "Tables 1 and 2 · times on this machine, beside the paper's"]);
     screen.key_press(Key::Escape);
     screen.run_steps(4);

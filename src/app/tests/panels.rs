@@ -13,7 +13,7 @@ const UNFOLDED: Column<'static> = Column { image_name: None, advanced: true, in_
 /// Clicks on `label` in the side panel and returns the emitted actions.
 pub fn click_in_panel(model: &Model, label: &str) -> Actions {
     let mut actions = Actions::new();
-    let mut harness = Harness::builder().with_size([260.0, 900.0]).with_context_setup(theme::install).build_ui(|ui| {
+    let mut harness = Harness::builder().with_size([260.0, 2400.0]).with_context_setup(theme::install).build_ui(|ui| {
         side_panel::show(ui, model, &Player::default(), UNFOLDED, &mut actions);
     });
     harness.get_by_label(label).click();
@@ -62,7 +62,7 @@ fn comparisons_walks_and_polar_grids_are_one_click_away() {
 
 #[test]
 fn the_plots_name_what_is_drawn_over_them_and_the_walks_repaint_only_while_they_run() {
-    let mut harness = ready_app([1200.0, 1100.0]);
+    let mut harness = ready_app([1200.0, 1700.0]);
     harness.state_mut().recall(Habit::Advanced(true));
     harness.key_press(egui::Key::P);
     harness.run_steps(2);
@@ -89,7 +89,7 @@ fn the_plots_name_what_is_drawn_over_them_and_the_walks_repaint_only_while_they_
 fn corners_can_be_kept_on_either_side() {
     let model = prepared_model();
     let mut actions = Actions::new();
-    let mut harness = Harness::builder().with_size([260.0, 1200.0]).with_context_setup(theme::install).build_ui(|ui| {
+    let mut harness = Harness::builder().with_size([260.0, 2400.0]).with_context_setup(theme::install).build_ui(|ui| {
         side_panel::show(ui, &model, &Player::default(), UNFOLDED, &mut actions);
     });
     let target = harness.get_all_by_label("Keep corners").last().unwrap();
@@ -108,7 +108,7 @@ fn corners_can_be_kept_on_either_side() {
 fn the_selected_segment_says_so_to_assistive_technology() {
     let model = prepared_model();
     let mut actions = Actions::new();
-    let harness = Harness::builder().with_size([260.0, 900.0]).with_context_setup(theme::install).build_ui(|ui| {
+    let harness = Harness::builder().with_size([260.0, 2400.0]).with_context_setup(theme::install).build_ui(|ui| {
         side_panel::show(ui, &model, &Player::default(), UNFOLDED, &mut actions);
     });
     let toggled = |label| harness.get_by_label(label).accesskit_node().toggled();

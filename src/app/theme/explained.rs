@@ -44,13 +44,12 @@ fn question(ui: &mut Ui, term: &str, explanation: Words) {
 
 /// Shows the words under a hovering pointer, and in a popup after the widget is clicked, until the next click.
 pub fn explain(response: &Response, words: &str) {
-    let popup = Popup::from_toggle_button_response(response);
-    if popup.is_open() {
-        popup.show(|ui| {
-            ui.set_max_width(WORDS);
-            ui.label(words);
-        });
-    } else {
+    // it opens and closes in `show`, which is therefore called in every frame
+    let popup = Popup::from_toggle_button_response(response).show(|ui| {
+        ui.set_max_width(WORDS);
+        ui.label(words);
+    });
+    if popup.is_none() {
         response.clone().on_hover_text(words);
     }
 }

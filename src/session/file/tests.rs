@@ -13,6 +13,8 @@ fn drawn() -> Session {
     let outline = OutlineSpec::points("Drachen \"ü\"".into(), polygon);
     Session::with([
         Command::SetOutline { side: Side::Source, outline },
+        // the golden text is older than upright beginnings
+        Command::MoveAnchor { side: Side::Source, fraction: 0.0 },
         Command::MoveInterior { side: Side::Source, point: DVec2::new(0.4, 0.35).into() },
         Command::SetSurface { side: Side::Target, surface: SurfaceSpec::default() },
         Command::SetTextureScale(8.0), // the default when the format was made

@@ -64,6 +64,8 @@ fn house() -> Session {
     let outline = OutlineSpec::points("Häuschen".into(), polygon(corners.map(DVec2::from).to_vec()));
     Session::with([
         Command::SetOutline { side: Side::Target, outline },
+        // the golden link is older than upright beginnings
+        Command::MoveAnchor { side: Side::Target, fraction: 0.0 },
         Command::SetSurface { side: Side::Target, surface: cow() },
         Command::SetTextureScale(OLD_CELLS),
     ])

@@ -53,7 +53,7 @@ fn content(ui: &mut Ui, step: usize, is_moving: bool, takes_focus: bool, actions
     let Palette { text, weak, .. } = Palette::of(ui.visuals());
     let large = usize::from(presentation::is_large(ui.ctx()));
     let row = Frame::new().inner_margin(Margin { top: 6, ..Margin::ZERO });
-    Panel::bottom("tour buttons").resizable(false).show_separator_line(false).frame(row).show(ui, |ui| {
+    Panel::bottom("tour-buttons").resizable(false).show_separator_line(false).frame(row).show(ui, |ui| {
         ui.horizontal_wrapped(|ui| {
             buttons(ui, step, all.len(), takes_focus, actions);
             if !stop.motions.is_empty() {
