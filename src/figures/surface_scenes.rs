@@ -66,6 +66,8 @@ fn over(outline: OutlineSpec, detail: Detail, preset: SurfacePreset, boundary: u
     let shape = SurfaceShape::Preset { preset, boundary };
     Session::with([
         Command::SetOutline { side: Side::Source, outline },
+        // y₁ is the outline's first point
+        Command::MoveAnchor { side: Side::Source, fraction: 0.0 },
         Command::SetSettings { side: Side::Source, settings },
         Command::SetSurface { side: Side::Target, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } },
         Command::MoveAnchor { side: Side::Target, fraction: anchor },

@@ -18,6 +18,8 @@ pub const PICTURES: f32 = 0.6;
 const WIDTH_SHARE: f32 = 0.27;
 const WIDTHS: [f32; 2] = [220.0, 340.0];
 const MOST_WIDTH: f32 = 0.4;
+/// The line between the pictures and a card below them, with rounding to whole points.
+const SEPARATOR: f32 = 2.0;
 /// The largest height of a card below the pictures, as a share of the screen.
 const MOST_HEIGHT: f32 = 0.3;
 /// The sizes of title and words, in points, for a screen of one's own and for one that a class sees.
@@ -40,7 +42,7 @@ pub fn show(ui: &mut Ui, step: usize, is_moving: bool, takes_focus: bool, action
         let width = (WIDTH_SHARE * screen.width()).clamp(WIDTHS[0], WIDTHS[1]);
         Panel::left("tour").exact_size(width.min(MOST_WIDTH * screen.width()))
     } else {
-        let height = ui.available_height() - PICTURES * screen.height();
+        let height = ui.available_height() - PICTURES * screen.height() - SEPARATOR;
         Panel::bottom("tour").exact_size(height.min(MOST_HEIGHT * screen.height()))
     };
     panel.resizable(false).frame(frame).show(ui, |ui| content(ui, step, is_moving, takes_focus, actions));
