@@ -361,7 +361,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 45] = [
+    const KEYS: [&str; 46] = [
         "backend",
         "boundary_checksum",
         "cauchy_green",
