@@ -5,6 +5,7 @@ use super::arrangement::Arrangement;
 use super::incoming::WORDS_FOLLOW_AFTER;
 use super::input::action::Actions;
 use super::input::preferences::Habit;
+use super::input::presentation;
 use super::layout::LaidOut;
 use super::{RiemapApp, editing, layout, message_bar, pictures};
 use crate::app::viewport::gpu::Gpu;
@@ -56,6 +57,7 @@ impl RiemapApp {
             asked
         };
         let asked = egui::CentralPanel::no_frame().show(ui, content).inner;
+        presentation::mark_pointer(ui.ctx());
         self.ask(ui.ctx(), asked);
     }
 

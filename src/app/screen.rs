@@ -1,6 +1,7 @@
 //! The screen's own state: open panels, zoom, theme, preferences. None of it is part of a session.
 
 use super::input::preferences::Preferences;
+use super::input::presentation::PRESENTATION_ZOOM;
 use super::status::FrameMeter;
 
 /// The state of the screen that is not part of a session.
@@ -28,9 +29,9 @@ pub struct Screen {
 const LOW: f32 = 450.0;
 
 impl Screen {
-    /// Whether the column of controls is unfolded, on a screen of this height.
+    /// Whether the column of controls is unfolded, on a screen of this height; in a presentation it is folded at first.
     pub fn column_open(&self, height: f32) -> bool {
-        self.column_asked.unwrap_or(height >= LOW)
+        self.column_asked.unwrap_or(height >= LOW && self.zoom < PRESENTATION_ZOOM)
     }
 
     /// The state before the first frame.

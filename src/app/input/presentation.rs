@@ -6,10 +6,16 @@ use crate::app::input::address_options::AddressOptions;
 use crate::app::input::preferences::Preferences;
 use crate::language::{Label, Message, key, tr};
 use crate::platform;
-use egui::{Context, Event, Key, Response, Role, Stroke, Ui, WidgetInfo, vec2};
+use egui::{Color32, Context, Event, Id, Key, LayerId, Order, Response, Role, Stroke, Ui, WidgetInfo, vec2};
 
 /// The zoom factor of a presentation; it applies to dots and strokes too.
-const PRESENTATION_ZOOM: f32 = 1.5;
+pub const PRESENTATION_ZOOM: f32 = 1.5;
+
+/// The radius and the width of the ring around the pointer in a presentation, in points.
+const POINTER_RING: (f32, f32) = (16.0, 3.0);
+
+/// The ink of this ring: seen on both themes and on every pattern.
+const RING_INK: Color32 = Color32::from_rgb(255, 214, 10);
 
 /// The tooltip of the full-screen button.
 pub const FULL_SCREEN_TOOLTIP: Label = key::full_screen_tooltip();
@@ -41,6 +47,16 @@ pub fn is_large(context: &Context) -> bool {
 /// Switches between the presentation's zoom and zoom 1.
 pub fn toggle(context: &Context) {
     context.set_zoom_factor(if is_large(context) { 1.0 } else { PRESENTATION_ZOOM });
+}
+
+/// Draws a ring around the pointer in a presentation, so that a class can follow it; fingers have none.
+pub fn mark_pointer(context: &Context) {
+    let place = context.input(|input| input.pointer.latest_pos().filter(|_| !input.any_touches()));
+    let Some(place) = place.filter(|_| is_large(context)) else { return };
+    let painter = context.layer_painter(LayerId::new(Order::Tooltip, Id::unique("pointer ring")));
+    let (radius, width) = POINTER_RING;
+    painter.circle_stroke(place, radius, Stroke::new(width + 2.0, Color32::from_black_alpha(90)));
+    painter.circle_stroke(place, radius, Stroke::new(width, RING_INK));
 }
 
 /// F toggles full screen, unless a control has the keyboard focus.

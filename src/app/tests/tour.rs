@@ -204,3 +204,20 @@ fn the_probe_is_dragged_and_its_image_follows() {
     go(&mut screen, 2);
     assert!(screen.state().input.handles.probe.is_none(), "another step has none");
 }
+
+#[test]
+fn a_presentation_folds_the_controls_and_marks_the_pointer() {
+    let mut screen = ready_app([1920.0, 1080.0]);
+    assert!(screen.query_by_label("Checker").is_some());
+    presentation::toggle(&screen.ctx);
+    screen.run_steps(3);
+    assert!(screen.query_by_label("Checker").is_none(), "the pictures have the width");
+    let place = egui::pos2(400.0, 300.0);
+    screen.hover_at(place);
+    screen.run_steps(2);
+    let is_ring = |shape: &egui::Shape| matches!(shape, egui::Shape::Circle(ring) if ring.center == place);
+    assert_eq!(screen.output().shapes.iter().filter(|clipped| is_ring(&clipped.shape)).count(), 2, "rim and ring");
+    presentation::toggle(&screen.ctx);
+    screen.run_steps(3);
+    assert!(screen.query_by_label("Checker").is_some());
+}

@@ -21,7 +21,7 @@ pub struct Margins {
 /// The margins on a desktop, with room for a legend.
 pub const DESK_MARGINS: Margins = Margins { sides: 30.0, top: 58.0, bottom: 46.0 };
 /// The margins on a phone.
-pub const PHONE_MARGINS: Margins = Margins { sides: 20.0, top: 58.0, bottom: 32.0 };
+pub const PHONE_MARGINS: Margins = Margins { sides: 20.0, top: 58.0, bottom: 38.0 };
 
 /// The largest zoom factor relative to the fitted view: rounding to f32 becomes visible at about 10⁵.
 const MAX_ZOOM: f64 = 2e4;

@@ -253,19 +253,24 @@ pub fn encode(session: &Session) -> Result<Encoded, OutOfRange> {
     if let Some(fragment) = fragment(session, &outlines).filter(|_| !is_too_long) {
         return Ok(Encoded { fragment, left_out: left_out(&outlines), shortened: Vec::new() });
     }
-    let shortened = shortened::shortened(session);
-    let shorter = shortened::applied(session, &shortened);
-    let mut outlines = PerSide::from_fn(|side| prepared(&shorter.domain(side).outline));
+    let mut shortened = shortened::shortened(session);
+    let short = shortened::applied(session, &shortened);
+    let mut outlines = PerSide::from_fn(|side| prepared(&short.domain(side).outline));
     loop {
-        if let Some(fragment) = fragment(&shorter, &outlines) {
-            let left_out = left_out(&outlines);
+        for side in Side::BOTH {
+            if matches!(outlines[side], Prepared::LeftOut { .. }) {
+                // the points are those of the whole outline, which travels as a file
+                shortened[side] = None;
+            }
+        }
+        if let Some(fragment) = fragment(&shortened::applied(session, &shortened), &outlines) {
             let told = Side::BOTH.into_iter().filter_map(|side| {
-                let short = shortened[side].as_ref().filter(|_| !matches!(outlines[side], Prepared::LeftOut { .. }))?;
+                let short = shortened[side].as_ref()?;
                 let OutlineSpec::Points { name, polygon, .. } = &session.domain(side).outline else { return None };
                 let (from, to) = (polygon.vertices().len(), short.len());
                 Some(ShortenedOutline { side, name: short_name(name), from, to, deviation: short.deviation })
             });
-            return Ok(Encoded { fragment, left_out, shortened: told.collect() });
+            return Ok(Encoded { fragment, left_out: left_out(&outlines), shortened: told.collect() });
         }
         leave_out_longest(&mut outlines);
     }
