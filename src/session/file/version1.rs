@@ -60,6 +60,15 @@ pub(super) struct Version1 {
     texture_scale: f64,
     #[serde(default = "source")]
     texture_side: Side,
+    #[serde(flatten)]
+    added: Added,
+    #[serde(default)]
+    surface: Option<SurfaceState>,
+}
+
+/// What the first files of this version do not hold.
+#[derive(Deserialize)]
+struct Added {
     #[serde(default)]
     colouring: Colouring,
     #[serde(default)]
@@ -70,8 +79,6 @@ pub(super) struct Version1 {
     comparison: Comparison,
     #[serde(default)]
     picture: PicturePlacement,
-    #[serde(default)]
-    surface: Option<SurfaceState>,
 }
 
 #[derive(Deserialize)]
@@ -103,11 +110,11 @@ impl TryFrom<Version1> for Session {
                 texture: form.texture,
                 texture_scale: form.texture_scale,
                 texture_side: form.texture_side,
-                colouring: form.colouring,
-                wireframe: form.wireframe,
-                plots: form.plots,
-                comparison: form.comparison,
-                picture: form.picture,
+                colouring: form.added.colouring,
+                wireframe: form.added.wireframe,
+                plots: form.added.plots,
+                comparison: form.added.comparison,
+                picture: form.added.picture,
             },
         })
     }
