@@ -121,7 +121,7 @@ impl RiemapApp {
         if is_held {
             self.player.pause();
         }
-        let holds = is_held || context.input(|input| input.pointer.any_down());
+        let holds = context.input(|input| input.pointer.any_down());
         if let Some(delay) = self.windows.explore.conduct(&mut self.player, &self.model, holds, now) {
             context.request_repaint_after_secs(delay as f32);
         }

@@ -56,11 +56,11 @@ pub fn show(app: &RiemapApp, ui: &mut Ui) -> LaidOut {
     play_panel::keys(ui, &mut actions);
     if app.screen.panels_open {
         bars(app, ui, narrow, &mut actions);
-        if app.windows.explore.is_touring() {
-            // its card is in the place of the controls
-        } else if narrow {
+        // the card of the tour is in the place of the controls
+        let is_touring = app.windows.explore.is_touring();
+        if narrow && !is_touring {
             pointed = sheet(app, ui, &mut actions);
-        } else if app.screen.column_open(ui.ctx().content_rect().height()) {
+        } else if !narrow && !is_touring && app.screen.column_open(ui.ctx().content_rect().height()) {
             panel(app, ui, &mut actions);
         }
         if welcomes(app) {

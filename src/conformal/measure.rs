@@ -55,9 +55,7 @@ impl HarmonicMeasure {
         self.cumulative.push(0.0);
         let mut sum = 0.0;
         for j in 0..=m {
-            let (from, to) = self.span(j);
-            let length = edge_lengths[vertex(j)] * (to - from);
-            sum += 0.5 * length * (self.density[j] + self.density[j + 1]);
+            sum += self.step(edge_lengths, j);
             self.cumulative.push(sum);
         }
         for value in &mut self.cumulative {
@@ -90,13 +88,15 @@ impl HarmonicMeasure {
         measure
     }
 
+    /// The integral of the density over interval `j`.
+    fn step(&self, edge_lengths: &[f64], j: usize) -> f64 {
+        let (from, to) = self.span(j);
+        0.5 * edge_lengths[self.vertex_at(j)] * (to - from) * (self.density[j] + self.density[j + 1])
+    }
+
     /// The measure of each interval by the density, as a share of the whole.
     pub(super) fn steps(&self, edge_lengths: &[f64]) -> Vec<f64> {
-        let step = |j: usize| {
-            let (from, to) = self.span(j);
-            0.5 * edge_lengths[self.vertex_at(j)] * (to - from) * (self.density[j] + self.density[j + 1])
-        };
-        let steps: Vec<f64> = (0..=self.vertex_count()).map(step).collect();
+        let steps: Vec<f64> = (0..=self.vertex_count()).map(|j| self.step(edge_lengths, j)).collect();
         let total: f64 = steps.iter().sum();
         steps.into_iter().map(|step| step / total).collect()
     }

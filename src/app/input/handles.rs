@@ -71,13 +71,6 @@ pub struct Grip {
     pub offset: Vec2,
 }
 
-/// The circle of the source while it is dragged.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ProbeGrip {
-    /// From the pointer to the circle's center when the drag began.
-    pub offset: Vec2,
-}
-
 /// A point of a planar picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pointed {
@@ -106,8 +99,8 @@ pub struct HandleState {
     pub pointed: Option<Pointed>,
     /// The circle whose image is shown.
     pub probe: Option<Probe>,
-    /// The drag of this circle.
-    pub probe_grip: Option<ProbeGrip>,
+    /// While this circle is dragged: from the pointer to its center when the drag began.
+    pub probe_grip: Option<Vec2>,
     /// The pulsing dot and the start of its pulse, in seconds.
     pulse: Option<(Handle, f64)>,
     /// Whether a dot was ever dragged or focused; from then on the hint is not shown.

@@ -2,7 +2,7 @@
 
 use super::dots::paint_words;
 use super::view::View;
-use crate::app::input::handles::{GRAB_RADIUS, HandleState, ProbeGrip};
+use crate::app::input::handles::{GRAB_RADIUS, HandleState};
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::language::{key, number, say};
@@ -40,15 +40,15 @@ pub fn interact(
     if let Some(pointer) = over {
         ui.set_cursor_icon(CursorIcon::Grab);
         if pressed {
-            handles.probe_grip = Some(ProbeGrip { offset: place - pointer });
+            handles.probe_grip = Some(place - pointer);
         }
     }
     if !down {
         handles.probe_grip = None;
     }
-    if let (Some(grip), Some(pointer)) = (handles.probe_grip, pointer) {
+    if let (Some(offset), Some(pointer)) = (handles.probe_grip, pointer) {
         ui.set_cursor_icon(CursorIcon::Grabbing);
-        handles.probe = model.probe_at(view.to_world(pointer + grip.offset)).or(handles.probe);
+        handles.probe = model.probe_at(view.to_world(pointer + offset)).or(handles.probe);
     }
     let is_held = handles.probe_grip.is_some();
     Contact { is_over: is_held || over.is_some(), is_held }

@@ -1,3 +1,5 @@
+//! Curves: derivatives, offsets from both ends, junctions, lengths, the inside, and what is refused.
+
 use super::*;
 use std::f64::consts::FRAC_PI_2;
 

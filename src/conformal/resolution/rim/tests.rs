@@ -1,3 +1,5 @@
+//! The measure along a rim: places and measures belong together, also where steps are tiny.
+
 use super::*;
 
 fn square() -> BoundarySamples {
