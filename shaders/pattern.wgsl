@@ -111,14 +111,22 @@ fn checker_share(cells: vec2<f32>, width: vec2<f32>) -> f32 {
     return 0.5 - 0.5 * wave.x * wave.y;
 }
 
-fn checker_pattern(source: vec2<f32>, octave: f32) -> vec3<f32> {
-    let dx = dpdx(source);
-    let dy = dpdy(source);
+// A point in cells of the finer octave, the width of its pixel there, and the share of the coarser octave.
+struct CellPoint {
+    cells: vec2<f32>,
+    width: vec2<f32>,
+    coarser: f32,
+}
+
+fn in_cells(source: vec2<f32>, octave: f32) -> CellPoint {
     let level = around_octave(octave, COARSEST);
     let per_unit = view.pattern.lookup.z * level.x;
-    let cells = source * per_unit;
-    let width = gradients(dx, dy) * per_unit;
-    let share = mix(checker_share(cells, width), checker_share(0.5 * cells, 0.5 * width), level.y);
+    return CellPoint(source * per_unit, gradients(dpdx(source), dpdy(source)) * per_unit, level.y);
+}
+
+fn checker_pattern(source: vec2<f32>, octave: f32) -> vec3<f32> {
+    let at = in_cells(source, octave);
+    let share = mix(checker_share(at.cells, at.width), checker_share(0.5 * at.cells, 0.5 * at.width), at.coarser);
     return mix(paper(), hue(source), share);
 }
 
@@ -143,13 +151,8 @@ fn grid_share(cells: vec2<f32>, width: vec2<f32>) -> f32 {
 }
 
 fn grid_pattern(source: vec2<f32>, octave: f32) -> vec3<f32> {
-    let dx = dpdx(source);
-    let dy = dpdy(source);
-    let level = around_octave(octave, COARSEST);
-    let per_unit = view.pattern.lookup.z * level.x;
-    let cells = source * per_unit;
-    let width = gradients(dx, dy) * per_unit;
-    return ruled(source, mix(grid_share(cells, width), grid_share(0.5 * cells, 0.5 * width), level.y));
+    let at = in_cells(source, octave);
+    return ruled(source, mix(grid_share(at.cells, at.width), grid_share(0.5 * at.cells, 0.5 * at.width), at.coarser));
 }
 
 // The doublings of the rays: beyond them the angle in f32 does not tell rays apart.

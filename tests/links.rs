@@ -11,10 +11,11 @@ use riemap::geometry::{Bounds, DVec2, SimplePolygon};
 use riemap::laplace::SolverKind;
 use riemap::mesh::{BarycentricPoint, Sizing, TriangleId};
 use riemap::outline::{CurveForm, Preset, Sampling};
+use riemap::session::lesson::{self, Lesson, LessonError, Step};
 use riemap::session::link::{Decoded, MAX_LENGTH, MissingOutline, decode, encode};
 use riemap::session::{
-    CELLS, Colouring, Command, Comparison, DomainSpec, GROWTH, OutlineSpec, SAMPLES, SURFACE_BOUNDARY, Session,
-    SidePoints, SurfaceShape, SurfaceSpec, TextureKind, file,
+    CELLS, Colouring, Command, Comparison, DomainSpec, GROWTH, Holes, OutlineSpec, SAMPLES, SURFACE_BOUNDARY, Session,
+    SidePoints, SurfaceShape, SurfaceSpec, SurfaceState, TextureKind, file,
 };
 use riemap::surface::SurfacePreset;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
@@ -90,10 +91,10 @@ fn surface() -> impl Strategy<Value = (SurfaceSpec, SidePoints)> {
         let weights = [a * b, a * (1.0 - b), 1.0 - a];
         BarycentricPoint::new(TriangleId::new(triangle), weights)
     });
-    (shape, any::<bool>(), settings, prop::option::of(point), 0.0..1.0).prop_map(
-        |(shape, repair, settings, interior, anchor)| {
+    (shape, (any::<bool>(), prop_oneof![Just(0), any::<u16>()]), settings, prop::option::of(point), 0.0..1.0).prop_map(
+        |(shape, (repair, outline_loop), settings, interior, anchor)| {
             (
-                SurfaceSpec::new(shape).with_repair(repair).with_settings(settings),
+                SurfaceSpec::new(shape).with_repair(repair).with_outline_loop(outline_loop).with_settings(settings),
                 SidePoints::Surface { interior, anchor },
             )
         },
@@ -103,15 +104,18 @@ fn surface() -> impl Strategy<Value = (SurfaceSpec, SidePoints)> {
 /// The commands that set up a side: an outline with its points, and optionally a surface.
 fn side(side: Side) -> impl Strategy<Value = Vec<Command>> {
     let point = prop::option::of((-1e9..1e9, -1.0..1.0).prop_map(DVec2::from));
-    (domain(), point, 0.0..1.0, prop::option::of(surface())).prop_map(move |(domain, interior, anchor, surface)| {
+    let holes = one_of(&[Holes::Filled, Holes::Open]);
+    let parts = (domain(), point, 0.0..1.0, prop::option::of((surface(), holes)));
+    parts.prop_map(move |(domain, interior, anchor, surface)| {
         let DomainSpec { outline, settings, .. } = domain;
         let mut commands = vec![
             Command::SetOutline { side, outline },
             Command::SetSettings { side, settings },
             Command::PlacePoints { side, points: SidePoints::Outline { interior, anchor } },
         ];
-        if let Some((surface, points)) = surface {
-            commands.extend([Command::SetSurface { side, surface }, Command::PlacePoints { side, points }]);
+        if let Some(((surface, points), holes)) = surface {
+            let points = Command::PlacePoints { side, points };
+            commands.extend([Command::SetSurface { side, surface }, Command::SetHoles { side, holes }, points]);
         }
         commands
     })
@@ -190,7 +194,9 @@ fn a_session_comes_back_and_the_second_time_exactly() {
                     expected.apply(Command::ReshapeOutline { side, outline: got.clone(), interior, anchor });
                 }
             }
-            if session.surface(Side::Source).is_some() {
+            let chooses_loops =
+                |surface: &SurfaceState| surface.spec().outline_loop > 0 || surface.holes() == Holes::Open;
+            if session.surface(Side::Source).is_some() || session.surface(Side::Target).is_some_and(chooses_loops) {
                 prop_assert!(encoded.fragment.starts_with("s=2."));
                 second.set(second.get() + 1);
             } else {
@@ -327,4 +333,64 @@ fn false_lengths_and_zip_bombs_take_little_memory() {
     let mut promise = unpacked(&encode(&Session::default()).unwrap().fragment);
     promise.extend([1, 1, 0, 0xff, 0xff, 0xff, 0xff, 0x0f]);
     assert!(!opens_or_says_why(&link_of(2, &promise)).unwrap());
+}
+
+/// A title and sessions with captions; those that no link holds are left out.
+fn a_lesson() -> impl Strategy<Value = Lesson> {
+    let caption = "(\\PC|\n| |#|s=1\\.|<){0,60}";
+    (caption, prop::collection::vec((session(), caption), 1..5)).prop_map(|(title, steps)| {
+        let steps = steps.into_iter().filter_map(|(session, caption)| Some(Step::of(&session, caption).ok()?.0));
+        Lesson { title, steps: steps.collect() }
+    })
+}
+
+#[test]
+fn a_lesson_comes_back_from_its_file_and_from_its_link() {
+    let _alone = alone();
+    let (links, long) = (std::cell::Cell::new(0), std::cell::Cell::new(0));
+    let address = |fragment: &str| format!("https://example.org/#{fragment}");
+    runner(150)
+        .run(&a_lesson(), |lesson| {
+            let tidied = lesson.tidied();
+            prop_assert_eq!(&tidied.tidied(), &tidied);
+            let text = lesson::write(&lesson, address).unwrap();
+            prop_assert_eq!(lesson::read_draft(text.as_bytes()), Ok(tidied.clone()), "{}", text);
+            match lesson::encode(&lesson) {
+                Ok(fragment) => {
+                    prop_assert!(fragment.len() <= MAX_LENGTH);
+                    prop_assert_eq!(lesson::decode(&address(&fragment)), Ok(tidied));
+                    links.set(links.get() + 1);
+                }
+                Err(LessonError::NoSteps) => prop_assert!(lesson.steps.is_empty()),
+                Err(error) => {
+                    prop_assert_eq!(error, LessonError::TooLongForLink);
+                    long.set(long.get() + 1);
+                }
+            }
+            Ok(())
+        })
+        .unwrap();
+    println!("{} links, {} lessons too long for one", links.get(), long.get());
+    assert!(links.get() > 30 && long.get() > 0);
+}
+
+/// Any text after the first line, and any bytes in a link, give a lesson or an error.
+#[test]
+fn arbitrary_lessons_open_or_say_why() {
+    let _alone = alone();
+    let line = prop_oneof!["\\PC{0,40}", "#s=[12]\\.[A-Za-z0-9_-]{0,40}", "(Title|x): \\PC{0,20}", Just(String::new())];
+    let bytes = prop::collection::vec(any::<u8>(), 0..200);
+    runner(1000)
+        .run(&(prop::collection::vec(line, 0..9), bytes), |(lines, bytes)| {
+            let text = format!("riemap lesson 1\n{}", lines.join("\n"));
+            let payload = base64url(&miniz_oxide::deflate::compress_to_vec_zlib(&bytes, 9));
+            for found in [lesson::read(text.as_bytes()), lesson::decode(&format!("lesson=1.{payload}"))] {
+                match found {
+                    Ok(lesson) => prop_assert!(!lesson.steps.is_empty()),
+                    Err(error) => prop_assert!(error.to_string().len() < 500, "{}", error),
+                }
+            }
+            Ok(())
+        })
+        .unwrap();
 }

@@ -280,7 +280,7 @@ fn an_outline_that_is_too_long_for_a_link_has_fewer_points_there() {
     let saved = written(&folder, "rough.riemap", &file::write(&session).unwrap());
     let output = succeeds(&["link", &saved]);
     let notes = String::from_utf8(output.stderr).unwrap();
-    assert!(notes.contains("\"rough\"") && notes.contains("12000 points") && notes.contains(" %"), "{notes}");
+    assert!(notes.contains("\"rough\"") && notes.contains("12000 points") && notes.contains("\u{a0}%"), "{notes}");
     let link = String::from_utf8(output.stdout).unwrap();
     assert!(link.trim().len() <= link::MAX_LENGTH && link::decode(&link).unwrap().missing.is_empty());
 }

@@ -11,7 +11,6 @@ use crate::conformal::Side;
 use crate::language::tr;
 use crate::model::files::{FilePurpose, kind_of_file};
 use crate::model::overlays::walks::WalkAction;
-use crate::model::persistence::Persistence;
 use crate::platform;
 use crate::session::{Command, Session, Touched};
 
@@ -38,9 +37,14 @@ impl RiemapApp {
 
     fn act(&mut self, context: &egui::Context, action: Action) {
         match action {
-            Action::Session(command) => self.command(command, context.input(|input| input.time)),
-            Action::Undo => self.step(Persistence::undo),
-            Action::Redo => self.step(Persistence::redo),
+            Action::Session(command) => {
+                if matches!(command, Command::Open(_)) {
+                    self.begin_visit();
+                }
+                self.command(command, context.input(|input| input.time));
+            }
+            Action::Undo => self.undo(),
+            Action::Redo => self.redo(),
             Action::New => {
                 self.begin_visit();
                 self.open_session(Session::default());
@@ -53,6 +57,8 @@ impl RiemapApp {
             Action::OpenOutline(side) => self.pick_file(FilePurpose::Outline(side)),
             Action::OpenTrace(side) => self.pick_file(FilePurpose::Trace(side)),
             Action::TraceImage => self.trace_image(),
+            Action::ShowUv(shown) => self.pictures.uv.is_shown = shown,
+            Action::UseImage => self.use_offered_image(),
             Action::DismissOffer => self.messages.offer = None,
             Action::OpenImage => self.pick_file(FilePurpose::Image),
             Action::Fit(side) => self.fit(side),
@@ -69,6 +75,7 @@ impl RiemapApp {
             Action::Walks(action) => self.model.act_on_walks(action),
             Action::Invariants(action) => self.model.act_on_invariants(action),
             Action::Explore(action) => self.explore(action),
+            Action::Lesson(action) => self.act_on_lesson(action, context),
             Action::Prefer(preferences) => self.prefer(context, preferences),
             Action::Recall(habit) => self.recall(habit),
             Action::TogglePanels => self.fold_panels(),
@@ -83,11 +90,11 @@ impl RiemapApp {
         }
     }
 
-    fn pick_file(&self, purpose: FilePurpose) {
+    pub(super) fn pick_file(&self, purpose: FilePurpose) {
         platform::pick_file(purpose, tr(kind_of_file(purpose)), self.workers.mailbox.clone());
     }
 
-    fn command(&mut self, command: Command, now: f64) {
+    pub(super) fn command(&mut self, command: Command, now: f64) {
         let touched = self.model.dispatch(command, now);
         self.begin_change(touched);
     }
@@ -132,14 +139,23 @@ impl RiemapApp {
             ExploreAction::LeaveTour { .. } if self.model.awaits_file() => ExploreAction::LeaveTour { keeps: true },
             other => other,
         };
-        if matches!(action, ExploreAction::Tour(_)) {
-            self.editor.act(EditAction::Leave, &mut self.model, &mut self.pictures.views);
-        }
-        if matches!(action, ExploreAction::Tour(_) | ExploreAction::LeaveTour { .. }) {
-            self.windows.explore.end_motions(&mut self.player, &self.model);
+        match action {
+            ExploreAction::Tour(_) | ExploreAction::Step(_) | ExploreAction::Again => self.begin_playing(),
+            ExploreAction::LeaveTour { .. } => self.windows.explore.end_motions(&mut self.player, &self.model),
+            _ => {}
         }
         let is_walking = self.model.overlay_state().walks.is_running();
-        let Consequences { session, walks } = self.windows.explore.act(action, self.model.session(), is_walking);
+        let was_lesson = self.windows.explore.plays_lesson();
+        let consequences = self.windows.explore.act(action, self.model.session(), is_walking);
+        self.follow(consequences);
+        if was_lesson && !self.windows.explore.plays_lesson() {
+            // a reload is to show the session, not the lesson
+            self.correct_address();
+        }
+    }
+
+    /// Shows what an action of the tour or of a lesson leads to.
+    pub(super) fn follow(&mut self, Consequences { session, walks }: Consequences) {
         if let Some(session) = session {
             self.show_session(session);
         }

@@ -26,6 +26,10 @@ impl RiemapApp {
             pointed: self.pictures.pointed,
             image: self.pictures.image.as_ref().map(|image| image.file.name.clone()),
             handles: self.handle_positions(),
+            loops: Side::BOTH.map(|side| {
+                let places = self.pictures.of(&self.model, side).places_of_loops(&self.model, side);
+                places.into_iter().map(|place| self.css_pixels(place)).collect()
+            }),
             editing: editing::stats(&self.editor, &self.pictures.views),
             plots: PlotStats {
                 marked_boundary: self.plots.marked().map(PerSide::into_array),

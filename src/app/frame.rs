@@ -232,6 +232,7 @@ impl RiemapApp {
         let handles = &mut self.input.handles;
         if !self.windows.explore.probes() {
             (handles.probe, self.pictures.probe) = (None, None);
+            handles.is_probe_focused = false;
             return;
         }
         if handles.probe.is_none() && self.model.is_mapped() {
@@ -258,6 +259,7 @@ impl RiemapApp {
     /// Uploads the triangles and renews the plots' curves.
     fn update_pictures(&mut self, context: &egui::Context) {
         self.pictures.cells.update(&self.model, self.pictures.gpu.as_ref(), context.pixels_per_point());
+        self.pictures.uv.update(&self.model, self.windows.exporter.request().layout);
         self.plots.update(&self.model);
     }
 

@@ -2,7 +2,6 @@
 
 use super::RiemapApp;
 use crate::app::input::locks::Control;
-use crate::app::input::presentation;
 use crate::app::panels::offer::Offer;
 use crate::app::viewport::gpu::Gpu;
 use crate::app::viewport::pictures::TextureImage;
@@ -17,7 +16,7 @@ use crate::model::side::user_error::UserError;
 use crate::outline::Outline;
 use crate::platform::{self, Event};
 use crate::session::file::Attachment;
-use crate::session::{Command, TextureKind, Touched};
+use crate::session::{Command, TextureKind, Touched, lesson};
 use crate::worker::{Finding, Response, Study};
 use std::sync::Arc;
 
@@ -48,7 +47,7 @@ impl RiemapApp {
                 Event::GoneTo(id) => self.go_to_visit(id),
                 Event::Visited { id, kept } => self.take_visit(&id, kept),
                 Event::Kept(result) => self.take_kept(result),
-                Event::GraphicsLost(reason) => self.messages.common = Some(presentation::graphics_lost(&reason)),
+                Event::GraphicsLost(reason) => self.take_loss_of_graphics(&reason, context),
                 Event::Image { purpose, name, file, pixels } => {
                     self.take_image(purpose, Attachment { name, bytes: file }, pixels);
                 }
@@ -128,7 +127,10 @@ impl RiemapApp {
 
     /// Starts reading a file; its changes take effect when its content arrives.
     fn open_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
-        let kind = FileKind::of(purpose, name);
+        let kind = match &bytes {
+            Ok(bytes) if lesson::is_file(bytes) => FileKind::Lesson,
+            _ => FileKind::of(purpose, name),
+        };
         if !self.may(kind.touches()) {
             return;
         }
@@ -142,11 +144,12 @@ impl RiemapApp {
                 self.model.open_session_file(name, bytes);
                 self.take_arrived();
             }
+            FileKind::Lesson => self.take_lesson(purpose, name, &bytes),
             FileKind::Surface(side) => {
                 self.persistence.touch();
                 self.model.open_surface_in_turn(side, name, bytes);
             }
-            FileKind::Texture | FileKind::Trace(_) => {
+            FileKind::Texture | FileKind::Trace(_) | FileKind::Picture(_) => {
                 self.messages.common = None;
                 let limit = match kind {
                     FileKind::Trace(_) => tracing::MAX_SIDE,
@@ -168,16 +171,21 @@ impl RiemapApp {
     /// Processes a decoded image, or the error of its decoding.
     fn take_image(&mut self, purpose: FilePurpose, file: Attachment, pixels: Result<image::RgbaImage, Message>) {
         let name = file.name.clone();
+        let kind = FileKind::of(purpose, &name);
         let pixels = match pixels {
             Ok(pixels) => pixels,
             Err(reason) => {
-                let kind = FileKind::of(purpose, &name);
                 return self.refuse_file(kind, UserError::new(key::about(name, reason)));
             }
         };
         let picture = Picture { name, pixels };
-        if let FileKind::Trace(side) = FileKind::of(purpose, &picture.name) {
-            return self.take_traced(side, files::traced(&picture));
+        match kind {
+            FileKind::Trace(side) => return self.take_traced(side, files::traced(&picture)),
+            FileKind::Picture(side) => {
+                self.messages.offer = Some(Offer::question(side, picture, file));
+                return;
+            }
+            _ => {}
         }
         if purpose == FilePurpose::OfSession {
             return self.show_image(picture, file);
@@ -188,11 +196,19 @@ impl RiemapApp {
         self.use_image(picture, file);
     }
 
-    /// Traces the picture that was last set as the texture.
+    /// Traces the picture that was last opened.
     pub(super) fn trace_image(&mut self) {
         if let Some(offer) = self.messages.offer.take() {
             let (side, traced) = offer.accept();
             self.take_traced(side, traced);
+        }
+    }
+
+    /// Makes the picture that was opened as an outline the texture.
+    pub(super) fn use_offered_image(&mut self) {
+        if let Some((picture, file)) = self.messages.offer.take().and_then(Offer::into_unused) {
+            self.end_tour();
+            self.use_image(picture, file);
         }
     }
 
@@ -390,6 +406,44 @@ mod tests {
         step_until(&mut harness, |app| !app.model.is_preparing(Side::Target));
         let errors = harness.state().errors();
         assert!(errors.len() == 1 && errors[0].english().starts_with("bow.csv"), "{errors:?}");
+    }
+
+    #[test]
+    fn a_picture_opened_as_an_outline_waits_for_the_answer_what_it_is_for() {
+        let png = |pixels: image::RgbaImage| {
+            let mut bytes = std::io::Cursor::new(Vec::new());
+            pixels.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+            bytes.into_inner()
+        };
+        let ink = |x: u32, y: u32| if (60..180).contains(&x) && (90..150).contains(&y) { 0 } else { 255 };
+        let bytes =
+            png(image::RgbaImage::from_fn(300, 240, |x, y| image::Rgba([ink(x, y), ink(x, y), ink(x, y), 255])));
+        let mut harness = ready_app([1200.0, 800.0]);
+        let context = harness.ctx.clone();
+        let before = harness.state().session().clone();
+        let mut ask = |action: Action| {
+            harness.state_mut().take_file(FilePurpose::Outline(Side::Source), "box.png", Ok(bytes.clone()));
+            step_until(&mut harness, |app| app.messages.offer.is_some());
+            assert_eq!(harness.state().session(), &before, "nothing changes before the answer");
+            harness.state_mut().carry_out(&context, vec![action]);
+            step_until(&mut harness, |app| !app.model.is_preparing(Side::Source));
+            assert!(harness.state().messages.offer.is_none());
+            harness.state().session().clone()
+        };
+        assert_eq!(ask(Action::DismissOffer), before);
+        let textured = ask(Action::UseImage);
+        assert_eq!(
+            (textured.texture(), textured.domain(Side::Source)),
+            (TextureKind::Image, before.domain(Side::Source))
+        );
+        assert_eq!(harness.state().pictures.image.as_ref().map(|image| image.file.name.as_str()), Some("box.png"));
+        let app = harness.state_mut();
+        app.open_session(before.clone());
+        app.take_file(FilePurpose::Outline(Side::Source), "box.png", Ok(bytes));
+        step_until(&mut harness, |app| app.messages.offer.is_some());
+        harness.step();
+        harness.get_by_label("Trace its silhouette").click();
+        step_until(&mut harness, |app| app.session().domain(Side::Source) != before.domain(Side::Source));
     }
 
     #[test]

@@ -6,6 +6,7 @@ use super::arrangement::Arrangement;
 use super::theme::Palette;
 use super::{RiemapApp, editing, plots, status, theme};
 use crate::app::input::action::{Action, Actions, ExploreAction};
+use crate::app::input::keyboard_navigation::follow_focus;
 use crate::app::input::presentation;
 use crate::app::language::words;
 use crate::app::menus::file_menu;
@@ -16,6 +17,8 @@ use crate::app::panels::{header, play_panel, side_panel, welcome};
 use crate::app::plots::BoundaryPlace;
 use crate::app::theme::widgets::chevron;
 use crate::app::windows::explore::tour;
+use crate::app::windows::explore::tour::card::CardPlots;
+use crate::app::windows::lesson;
 use crate::language::{key, tr};
 use crate::session::Command;
 use egui::{Event, Frame, Id, Key, Margin, Panel, RichText, ScrollArea, Stroke, Ui, vec2};
@@ -58,7 +61,11 @@ pub fn show(app: &RiemapApp, ui: &mut Ui) -> LaidOut {
         bars(app, ui, narrow, &mut actions);
         // the card of the tour is in the place of the controls
         let is_touring = app.windows.explore.is_touring();
-        if narrow && !is_touring {
+        let makes_lesson = app.windows.lesson.is_open && !is_touring;
+        if makes_lesson {
+            lesson::show(ui, &app.windows.lesson, narrow, &mut actions);
+        }
+        if narrow && !is_touring && !makes_lesson {
             pointed = sheet(app, ui, &mut actions);
         } else if !narrow && !is_touring && app.screen.column_open(ui.ctx().content_rect().height()) {
             panel(app, ui, &mut actions);
@@ -74,18 +81,24 @@ pub fn show(app: &RiemapApp, ui: &mut Ui) -> LaidOut {
         Panel::bottom("link").exact_size(strip).resizable(false).frame(frame).show(ui, |_| {});
     }
     let yields = app.messages.bar.has_message() || app.editor.side().is_some();
-    let focused_tour = app.windows.explore.show_tour(ui, &app.player, yields, &mut actions);
-    if !narrow && app.model.session().plots() && (!app.windows.explore.is_touring() || has_room_for_plots(ui)) {
+    let plots = app.model.session().plots();
+    let has_dock = plots && !narrow && (!app.windows.explore.is_touring() || has_room_for_plots(ui));
+    let are_shown = app.windows.explore.card_plots;
+    let in_card = (plots && !has_dock).then_some(CardPlots { plots: &app.plots, model: &app.model, are_shown });
+    let card = app.windows.explore.show_tour(ui, &app.player, yields, in_card, &mut actions);
+    if has_dock {
         pointed = dock(app, ui, &mut actions);
     }
+    pointed = pointed.or(card.pointed);
     let arrangement = Arrangement::new(ui, narrow);
     message_bar::show(app, ui, &mut actions);
-    LaidOut { arrangement, actions, pointed, focused_tour }
+    LaidOut { arrangement, actions, pointed, focused_tour: card.took_focus }
 }
 
 /// Whether the welcome is shown: until it is used, and unless a lesson, the tour, a sheet or a drawing needs the room.
 fn welcomes(app: &RiemapApp) -> bool {
-    let is_busy = app.windows.explore.is_touring() || app.screen.sheet_open || app.editor.side().is_some();
+    let has_lesson = app.windows.explore.is_touring() || app.windows.lesson.is_open;
+    let is_busy = has_lesson || app.screen.sheet_open || app.editor.side().is_some();
     !app.screen.preferences.habits.welcomed && !app.options.embed && !app.options.present && !is_busy
 }
 
@@ -107,7 +120,8 @@ fn keys(app: &RiemapApp, ui: &Ui, actions: &mut Actions) {
 /// Whether Escape ends the tour, and neither closes a window or a menu nor leaves a field, a dot or a picture.
 fn escape_ends_tour(app: &RiemapApp, ui: &Ui) -> bool {
     let handles = &app.input.handles;
-    let has_focus = handles.focused.is_some() || handles.focused_view.is_some() || ui.ctx().text_edit_focused();
+    let has_handle = handles.focused.is_some() || handles.is_probe_focused;
+    let has_focus = has_handle || handles.focused_view.is_some() || ui.ctx().text_edit_focused();
     let is_covered = app.windows.are_open() || egui::Popup::is_any_open(ui.ctx());
     app.windows.explore.is_touring() && app.editor.is_at_rest() && !has_focus && !is_covered
 }
@@ -122,6 +136,7 @@ fn bars(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         let bar = TopBar {
             model: &app.model,
             persistence: &app.persistence,
+            can_step: app.can_step(),
             preferences: app.screen.preferences,
             narrow,
             has_shapes: narrow || !header::has_room(ui, app.pictures.views.source.rect.width()),
@@ -144,21 +159,23 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             ui.set_max_width(ui.available_width() - SCROLL_BAR);
             side_panel::show(ui, &app.model, &app.player, column(app, false), actions);
+            follow_focus(ui);
         });
     });
 }
 
 fn column(app: &RiemapApp, in_sheet: bool) -> Column<'_> {
     let image_name = app.pictures.image.as_ref().map(|image| image.file.name.as_str());
-    Column { image_name, advanced: app.screen.preferences.habits.advanced, in_sheet }
+    Column { image_name, advanced: app.screen.preferences.habits.advanced, uv: app.pictures.uv.is_shown, in_sheet }
 }
 
-/// Whether the plots leave the pictures their part of the screen in the tour.
+/// Whether the plots leave the pictures their part of the screen in the tour, next to its card.
 fn has_room_for_plots(ui: &Ui) -> bool {
-    if plots::width_beside(ui.available_size()).is_some() {
+    let free = ui.available_size() - vec2(tour::card::width_beside(ui).unwrap_or_default(), 0.0);
+    if plots::width_beside(free).is_some() {
         return true;
     }
-    let left = ui.available_height() - plots::dock_height(ui.available_width(), ui.available_height());
+    let left = free.y - plots::dock_height(free.x, free.y);
     left >= tour::card::PICTURES * ui.ctx().content_rect().height()
 }
 
@@ -198,6 +215,7 @@ fn sheet(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) -> Option<Boundary
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - SCROLL_BAR);
                 side_panel::show(ui, &app.model, &app.player, column(app, true), actions);
+                follow_focus(ui);
                 ui.add_space(10.0);
             });
         }

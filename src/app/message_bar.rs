@@ -81,8 +81,8 @@ pub fn show(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
         if message.as_ref().and_then(|message| message_box(ui, message, None, most)).is_some() {
             actions.push(Action::DismissMessage);
         }
-        if *has_offer {
-            offer::show(ui, actions);
+        if let Some(offer) = app.messages.offer.as_ref().filter(|_| *has_offer) {
+            offer::show(ui, offer, actions);
         }
     });
 }

@@ -22,6 +22,7 @@ mod incoming;
 pub mod input;
 pub mod language;
 mod layout;
+mod lessons;
 mod menus;
 mod message_bar;
 mod messages;
@@ -63,6 +64,7 @@ use screen::Screen;
 use viewport::gpu::Gpu;
 use viewport::pictures::Pictures;
 use windows::Windows;
+use windows::lesson::LessonEditor;
 use workers::Workers;
 
 /// The app.
@@ -91,7 +93,7 @@ impl RiemapApp {
         startup: Startup,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         theme::install(&creation.egui_ctx);
-        let Startup { model, steps, picture, visits, resumes, missing, message, preferences, workers } = startup;
+        let Startup { model, steps, picture, visits, resumes, missing, message, draft, preferences, workers } = startup;
         let options = host::address_options();
         let preferences = presentation::install(&creation.egui_ctx, preferences, &options);
         workers.mailbox.attach(&creation.egui_ctx);
@@ -106,11 +108,11 @@ impl RiemapApp {
             persistence
         };
         persistence.visits = visits;
-        let mut windows = Windows::default();
+        let mut windows = Windows { lesson: LessonEditor::resume(draft), ..Windows::default() };
         if options.bench {
             windows.reports.open(Report::Bench);
         }
-        let app = Self {
+        let mut app = Self {
             model,
             workers,
             input: Input::after(preferences.habits),
@@ -129,6 +131,8 @@ impl RiemapApp {
         if let Some(picture) = picture {
             app.load_image(picture);
         }
+        app.calm(&creation.egui_ctx);
+        app.play_addressed();
         Ok(app)
     }
 
@@ -138,6 +142,7 @@ impl RiemapApp {
     fn take_graphics(&mut self, creation: &eframe::CreationContext<'_>) {
         let context = &creation.egui_ctx;
         theme::install(context);
+        self.calm(context);
         self.options.locks.install(context);
         context.set_zoom_factor(self.screen.zoom);
         self.screen.preferences.apply(context);
@@ -150,6 +155,14 @@ impl RiemapApp {
         self.input.handles.release();
         self.pictures.renew(creation.wgpu_render_state.clone().map(Gpu::new));
         self.show_changes(context, Changes { meshes: true, map: true, images: true });
+    }
+
+    /// Where the user wants no motion, nothing moves by itself: neither dots, sheets and surfaces nor the tour's points.
+    fn calm(&mut self, context: &egui::Context) {
+        self.windows.explore.is_calm = platform::wants_calm();
+        if self.windows.explore.is_calm {
+            theme::end_animations(context);
+        }
     }
 
     /// The session that the map on the screen is computed from.

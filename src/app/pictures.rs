@@ -83,6 +83,7 @@ fn paint_map(app: &RiemapApp, ui: &Ui, side: Side, style: Option<&TextureStyle>)
     let pace = app.pictures.gpu.as_ref().map_or(Pace::Full, |gpu| gpu.pace(now));
     let picture = app.pictures.of(&app.model, side);
     picture.paint(ui, (&app.model, side), style, app.pictures.cells.style(), pace);
+    picture.paint_loops(ui, side, &app.model);
     editing::paint_sheet(ui, side, view, &app.editor);
 }
 
@@ -104,6 +105,7 @@ fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangemen
         let beside = scale.map_or(0.0, |_| legend::width(view.rect, tight));
         header::legend(ui, side, &app.model, view, beside);
     }
+    app.pictures.uv.paint(ui, side, &app.model, view);
     overlays::paint::show(ui, side, &app.model, view);
     if let Some(scale) = scale {
         legend::paint(ui, view.rect, scale, tight);
@@ -122,7 +124,10 @@ fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
             planar::paint_image_mark(ui, view, pointed.image);
         }
         match side {
-            Side::Source => app.input.handles.probe.iter().for_each(|&at| probe::paint(ui, view, at)),
+            Side::Source => {
+                let handles = &app.input.handles;
+                handles.probe.iter().for_each(|&at| probe::paint(ui, view, at, handles.is_probe_focused));
+            }
             Side::Target => app.pictures.probe.iter().for_each(|image| probe::paint_image(ui, view, image)),
         }
         marked.inspect(|&at| picture.paint_boundary_mark(ui, side, &app.model, at));

@@ -24,9 +24,10 @@ pub struct Screen {
     pub meter: FrameMeter,
 }
 
-/// On a screen lower than this, in points, the column of controls is folded at first: a phone on its side has no width
-/// for it.
-const LOW: f32 = 450.0;
+/// On a screen lower than this, in points, the column of controls is folded at first. Phones on their side (390) and a
+/// laptop's window at 200 % (720 × 450, with 226 points left for each picture) have no width for it; the smallest laptop
+/// screens (1280 × 720) have.
+const LOW: f32 = 520.0;
 
 impl Screen {
     /// Whether the column of controls is unfolded, on a screen of this height; in a presentation it is folded at first.

@@ -2,7 +2,7 @@
 
 use super::RiemapApp;
 use super::messages::Notice;
-use crate::app::input::action::{Actions, ShareAction};
+use crate::app::input::action::{Actions, ExploreAction, ShareAction};
 use crate::app::input::locks::Control;
 use crate::app::viewport::gpu::Gpu;
 use crate::app::windows::share::SharedLink;
@@ -12,19 +12,43 @@ use crate::model::persistence;
 use crate::model::persistence::Persistence;
 use crate::platform::{self, PageEvent};
 use crate::session::file::{Archive, Attachment};
-use crate::session::{Command, Session, file, link};
+use crate::session::{Command, History, Session, file, lesson, link};
 
 impl RiemapApp {
+    /// Undo. In the tour or a lesson its step begins anew, and the user's own history stays as it is.
+    pub(super) fn undo(&mut self) {
+        match self.windows.explore.step() {
+            Some(step) => self.explore(ExploreAction::Step(step)),
+            None => self.step(Persistence::undo),
+        }
+    }
+
+    /// Redo; nothing in the tour or a lesson.
+    pub(super) fn redo(&mut self) {
+        if !self.windows.explore.is_touring() {
+            self.step(Persistence::redo);
+        }
+    }
+
+    /// Whether there is something to undo and to redo.
+    pub(super) fn can_step(&self) -> [bool; 2] {
+        let history = self.persistence.history();
+        if self.windows.explore.is_touring() { [true, false] } else { [history.can_undo(), history.can_redo()] }
+    }
+
+    /// The user's own session once it is mapped; in the tour or a lesson, the one from before.
+    pub(super) fn own_at_rest(&self) -> Option<&Session> {
+        self.windows.explore.before().or_else(|| self.model.is_mapped().then(|| self.model.session()))
+    }
+
     /// Goes to another entry of the history: `to` is undo or redo.
-    pub(super) fn step(&mut self, to: impl Fn(&mut Persistence, Option<&Session>) -> Option<Session>) {
+    fn step(&mut self, to: impl Fn(&mut Persistence, Option<&Session>) -> Option<Session>) {
         let at_rest = self.model.is_mapped().then(|| self.model.session());
         let Some(session) = to(&mut self.persistence, at_rest) else { return };
-        self.end_tour();
         self.show_session(session);
     }
 
     /// Replaces the session, and releases whatever is being dragged. The caller records the change in the history.
-    /// the caller to say.
     pub(super) fn show_session(&mut self, session: Session) {
         self.player.pause();
         self.input.handles.release();
@@ -37,26 +61,38 @@ impl RiemapApp {
     pub(super) fn archive(&self) -> Archive {
         let mut history = self.persistence.history().clone();
         history.settle(self.model.session());
-        let picture = self.pictures.image.as_ref().map(|image| image.file.clone());
         let is_used = history.shows_image();
-        self.model.archive(history, picture.filter(|_| is_used))
+        self.model.archive(history, self.own_picture().filter(|_| is_used))
+    }
+
+    /// The file of the own picture that is loaded; its bytes are shared.
+    pub(super) fn own_picture(&self) -> Option<Attachment> {
+        self.pictures.image.as_ref().map(|image| image.file.clone())
+    }
+
+    /// Takes the files of an archive and returns its steps: surfaces are kept until they are shown, and an own picture
+    /// other than the loaded one is decoded.
+    pub(super) fn take_files(&mut self, mut archive: Archive) -> History {
+        self.model.keep_files(&mut archive);
+        let loaded = self.own_picture();
+        if let Some(picture) = archive.picture.filter(|picture| loaded.as_ref() != Some(picture)) {
+            self.load_image(picture);
+        }
+        archive.history
     }
 
     /// Opens the session of a file as the next step, with the steps and the files that it comes with. If sessions are
     /// locked, it is opened as [`Self::open_session`] does.
-    pub(super) fn open_archive(&mut self, mut archive: Archive) {
-        self.model.keep_files(&mut archive);
-        if let Some(picture) = archive.picture.take() {
-            self.load_image(picture);
-        }
-        let session = archive.session().clone();
+    pub(super) fn open_archive(&mut self, archive: Archive) {
+        let history = self.take_files(archive);
+        let session = history.now().clone();
         if self.options.locks.holds(Control::Session) {
             return self.open_session(session);
         }
-        self.end_tour();
         self.begin_visit();
-        let at_rest = self.model.is_mapped().then(|| self.model.session());
-        self.persistence.continue_with(archive.history, at_rest);
+        let at_rest = self.own_at_rest().cloned();
+        self.end_tour();
+        self.persistence.continue_with(history, at_rest.as_ref());
         self.show_session(session);
     }
 
@@ -138,8 +174,11 @@ impl RiemapApp {
         }
     }
 
-    /// Opens the session of another link; the error is the reason why the link cannot be opened.
+    /// Opens the session of another link, or plays its lesson; the error is the reason why the link cannot be opened.
     pub fn try_link(&mut self, address: &str) -> Result<(), Message> {
+        if lesson::is_link(address) {
+            return self.try_lesson_link(address);
+        }
         let decoded = link::decode(address).map_err(|error| Message::from(&error))?;
         self.begin_visit();
         self.messages.common = persistence::missing_text(&decoded.missing);
@@ -150,6 +189,7 @@ impl RiemapApp {
 
     /// Stores the session when it is at rest.
     pub(super) fn keep(&mut self, context: &egui::Context) {
+        self.keep_lesson();
         let (held, now) = context.input(|input| (input.pointer.any_down() || !input.keys_down.is_empty(), input.time));
         // the tour's sessions are not stored: a reload restores the user's own
         let passes = self.player.is_playing() || self.windows.explore.is_touring();

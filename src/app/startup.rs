@@ -2,12 +2,13 @@
 
 use crate::app::input::preferences::Preferences;
 use crate::app::workers::Workers;
-use crate::language::{self, Message};
+use crate::language::{self, Message, key};
 use crate::model::persistence::visits::Visits;
 use crate::model::persistence::{KeptCopies, Start};
 use crate::model::{Model, persistence};
 use crate::platform::{self, Kept, Mailbox};
 use crate::session::file::{Archive, Attachment};
+use crate::session::lesson::{self, Lesson};
 use crate::session::link::MissingOutline;
 use crate::session::{History, Session};
 
@@ -23,6 +24,8 @@ pub struct Startup {
     /// The outlines that the session's link contains by name only.
     pub(super) missing: Vec<MissingOutline>,
     pub(super) message: Option<Message>,
+    /// The lesson that was being made.
+    pub(super) draft: Lesson,
     pub(super) preferences: Preferences,
     pub(super) workers: Workers,
 }
@@ -44,6 +47,7 @@ impl Startup {
             resumes: false,
             missing: Vec::new(),
             message: None,
+            draft: Lesson::default(),
             preferences: Preferences::fixed(),
             workers,
         }
@@ -68,11 +72,23 @@ impl Startup {
         let model = Model::of_archive(&mut archive);
         let Archive { history, picture, .. } = archive;
         let (steps, visits) = (is_kept.then_some(history), Visits::new(current, listed));
-        Self { steps, picture, visits, missing, message, resumes: true, preferences, ..Self::with(model) }
+        let (draft, unread) = kept_lesson();
+        let message = Message::joined(message.into_iter().chain(unread), key::sentence_and);
+        Self { steps, picture, visits, missing, message, draft, resumes: true, preferences, ..Self::with(model) }
     }
 
     /// The sending end of the app's event channel.
     pub fn mailbox(&self) -> Mailbox {
         self.workers.mailbox.clone()
+    }
+}
+
+/// The draft of the last run, or why it cannot be read.
+fn kept_lesson() -> (Lesson, Option<Message>) {
+    let text = platform::remembered(Kept::Lesson).filter(|text| !text.is_empty());
+    match text.map(|text| lesson::read_draft(text.as_bytes())) {
+        None => (Lesson::default(), None),
+        Some(Ok(draft)) => (draft, None),
+        Some(Err(error)) => (Lesson::default(), Some(key::lesson_refused(Message::from(&error)))),
     }
 }

@@ -1,6 +1,7 @@
 //! Visits: each opened session has an entry of its own in the browser's history, and is kept with its undo steps.
 
 use super::RiemapApp;
+use crate::app::input::action::ExploreAction;
 use crate::language::{Message, key};
 use crate::model::persistence::visits::{Kept as KeptVisit, Left, Listed, Visit};
 use crate::platform::{self, Kept};
@@ -18,9 +19,9 @@ impl RiemapApp {
     }
 
     fn leave_visit_for(&mut self, next: String) {
-        let at_rest = self.model.is_mapped().then(|| self.model.session());
-        let steps = self.persistence.leave(at_rest);
-        let picture = self.pictures.image.as_ref().map(|image| image.file.clone());
+        let at_rest = self.own_at_rest().cloned();
+        let steps = self.persistence.leave(at_rest.as_ref());
+        let picture = self.own_picture();
         self.persistence.visits.leave_for(next, Left { steps, picture });
     }
 
@@ -56,7 +57,7 @@ impl RiemapApp {
             Some(Ok(archive)) => self.show_archive(archive),
             Some(Err(error)) => self.refuse_visit(&error),
             None => {
-                if let Some(link) = platform::link() {
+                if let Some(link) = platform::link().or_else(platform::lesson_link) {
                     self.open_link(&link);
                 }
             }
@@ -68,15 +69,11 @@ impl RiemapApp {
     }
 
     /// Shows an archive in place of everything, with its steps.
-    fn show_archive(&mut self, mut archive: Archive) {
-        self.model.keep_files(&mut archive);
-        let shown = self.pictures.image.as_ref().map(|image| &image.file);
-        if let Some(picture) = archive.picture.take().filter(|picture| Some(picture) != shown) {
-            self.load_image(picture);
-        }
-        let session = archive.session().clone();
+    fn show_archive(&mut self, archive: Archive) {
+        let history = self.take_files(archive);
+        let session = history.now().clone();
         self.end_tour();
-        self.persistence.go_to(archive.history);
+        self.persistence.go_to(history);
         self.show_session(session);
     }
 
@@ -84,7 +81,7 @@ impl RiemapApp {
     /// follows. The text alone matters only where the visit cannot be stored.
     pub(super) fn store(&mut self, text: &str, context: &egui::Context) {
         let without_files = platform::remember(Kept::Session, text);
-        let link = self.link_shown();
+        let link = self.persistence.address().map(str::to_owned);
         let visit = self.persistence.visits.current().map(|id| Visit::new(id, link, &self.archive()));
         // its numbers are in their ranges: the text was written
         if let Some(Ok(visit)) = visit {
@@ -96,9 +93,15 @@ impl RiemapApp {
         }
     }
 
-    /// The fragment of the session's link, by which the kept session is found.
-    fn link_shown(&self) -> Option<String> {
-        crate::session::link::encode(self.model.session()).ok().map(|encoded| encoded.fragment)
+    /// Stores the session and its undo steps at once, since the window may have to be opened again, and says so. Instead
+    /// of the tour's session the user's own is stored.
+    pub(super) fn take_loss_of_graphics(&mut self, reason: &str, context: &egui::Context) {
+        self.explore(ExploreAction::LeaveTour { keeps: false });
+        self.messages.common = Some(key::graphics_device_lost(reason));
+        let text = crate::session::file::write_compact(self.model.session());
+        if let Some(Ok(text)) = self.persistence.is_kept().then_some(text) {
+            self.store(&text, context);
+        }
     }
 
     /// Takes the result of storing a visit.
@@ -116,7 +119,8 @@ impl RiemapApp {
 
     /// Says once that the session is kept without files and undo steps, or not at all.
     fn not_kept_whole(&mut self, reason: Message) {
-        let text = crate::session::file::write_compact(self.model.session()).unwrap_or_default();
+        let session = self.windows.explore.before().unwrap_or(self.model.session());
+        let text = crate::session::file::write_compact(session).unwrap_or_default();
         match platform::remember(Kept::Session, &text) {
             Ok(()) => self.say_once(key::only_session_kept(reason)),
             Err(reason) => self.say_once(key::session_not_kept(reason)),

@@ -1,9 +1,9 @@
 //! `riemap animate`: a loop through the maps between two domains, starting at a session, as an animated PNG or GIF.
 
 use super::CliError;
-use super::arguments::{AnimateArguments, PathArgument, SideArgument, ThemeArgument};
 use super::output::{check_paths, write_all};
 use super::picture::failed;
+use super::picture_arguments::{AnimateArguments, PathArgument, SideArgument, ThemeArgument};
 use super::progress::Progress;
 use super::render::{Loaded, load};
 use crate::conformal::{PerSide, Side};

@@ -1,7 +1,7 @@
 //! The arguments of `riemap flatten`, and their conversion to the core's types.
 
 use super::CliError;
-use super::arguments::Discretization;
+use super::discretization::Discretization;
 use super::named_outline::read_file;
 use super::values::{Anchor, Point, Size};
 use crate::conformal::MeshedSurface;

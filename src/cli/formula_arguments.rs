@@ -1,9 +1,7 @@
 //! The arguments of `riemap formula`.
 
-use super::arguments::{
-    Discretization, InterpretArgument, KernelArgument, PointArguments, SampleArguments, SamplingArgument,
-    SolverArgument,
-};
+use super::discretization::{Discretization, InterpretArgument, KernelArgument, SamplingArgument, SolverArgument};
+use super::map_arguments::{PointArguments, SampleArguments};
 use super::side::Asked;
 use crate::conformal::PerSide;
 use std::path::PathBuf;

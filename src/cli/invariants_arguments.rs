@@ -1,6 +1,6 @@
 //! The arguments of `riemap invariants`.
 
-use super::arguments::InterpretArgument;
+use super::discretization::InterpretArgument;
 use super::values::Point;
 use std::str::FromStr;
 

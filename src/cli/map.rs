@@ -1,8 +1,9 @@
 //! `riemap map`: computes the map between two sides and writes it.
 
 use super::CliError;
-use super::arguments::{DirectionArgument, ExtensionArgument, MapArguments};
+use super::map_arguments::{DirectionArgument, ExtensionArgument, MapArguments};
 use super::output::{Format, check_paths, print, triangles, words, write_all};
+use super::pins::{self, Pinned};
 use super::progress::Progress;
 use super::side::{self, Asked, NamedSide, Reading, is_surface};
 use super::tables::{self, Summary};
@@ -24,9 +25,9 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
     let progress = Progress::new("reading");
-    let Computed { map, constraints, interpreted, coarse, unestimated, table } = compute(arguments, &progress)?;
+    let Computed { map, constraints, pinned, interpreted, coarse, unestimated, table } = compute(arguments, &progress)?;
     progress.enter("writing");
-    let summary = Summary::of(&map, interpreted, coarse, unestimated);
+    let summary = Summary { pinned, ..Summary::of(&map, interpreted, coarse, unestimated) };
     let names = PerSide::new(arguments.source.as_str(), arguments.target.as_str());
     let scene = Scene { map: &map, constraints, names };
     let mut files = Vec::new();
@@ -46,14 +47,17 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     print(&in_words(&summary))
 }
 
-fn in_words(Summary { quality, counts, unresolved_area, interpretation, accuracy, .. }: &Summary) -> String {
+fn in_words(summary: &Summary) -> String {
+    let Summary { quality, counts, unresolved_area, interpretation, accuracy, pinned, .. } = summary;
     let unresolved = unresolved_area.filter(|area| *area > 0.0);
     let kinds =
         interpretation.iter().filter_map(|(side, found)| found.map(|found| format!("{side}: {}", words(found))));
     let kinds: Vec<String> = kinds.collect();
     let kinds = if kinds.is_empty() { String::new() } else { format!("\n{}", kinds.join("; ")) };
+    let pinned =
+        pinned.as_ref().map(|pinned| format!("\nthe pins are met to {:.1e}", pinned.miss())).unwrap_or_default();
     format!(
-        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed{}{}{kinds}",
+        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed{}{}{pinned}{kinds}",
         counts.m,
         counts.n,
         triangles(counts.triangles),
@@ -71,6 +75,7 @@ fn in_words(Summary { quality, counts, unresolved_area, interpretation, accuracy
 struct Computed {
     map: ConformalMap,
     constraints: Constraints,
+    pinned: Option<Pinned>,
     interpreted: PerSide<Option<Interpreted>>,
     coarse: PrepareTimings,
     /// Why there is no estimate of the errors, although it was asked for.
@@ -171,17 +176,23 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
     ];
     // report errors in either side's arguments before preparing the first one
     asked.iter().try_for_each(Asked::check)?;
+    let pins = arguments.pins.check(&asked)?;
     if asked.iter().all(|side| is_surface(side.name)) && arguments.discretization.samples.is_some() {
         let text = "--samples is for outlines: both sides are surfaces, which have their own boundary vertices";
         return Err(CliError::Usage(text.to_owned()));
     }
     let [first, second] = [side::read(asked[0].name, arguments.repair)?, side::read(asked[1].name, arguments.repair)?];
-    let source = NamedSide::prepare(&asked[0], first, reading, progress)?;
-    let target = NamedSide::prepare(&asked[1], second, reading, progress)?;
-    let constraints = Constraints::new(source.constraint(&asked[0])?, target.constraint(&asked[1])?);
+    let mut source = NamedSide::prepare(&asked[0], first, reading, progress)?;
+    let mut target = NamedSide::prepare(&asked[1], second, reading, progress)?;
+    let pins = pins.map(|given| pins::constraints(given, [&mut source, &mut target], progress)).transpose()?;
     progress.enter("the map");
+    let constraints = match &pins {
+        Some((_, constraints)) => *constraints,
+        None => Constraints::new(source.constraint(&asked[0])?, target.constraint(&asked[1])?),
+    };
     let sides = (Arc::clone(&source.prepared), Arc::clone(&target.prepared));
     let map = ConformalMap::new(sides.0, sides.1, &constraints, settings).map_err(|error| refused(&error, &asked))?;
+    let pinned = pins.map(|(pins, _)| Pinned::of(&map, &pins, &constraints, [&source, &target])).transpose()?;
     // a refined mesh has its measures from the images, not from the integral equation
     let sharp = points.as_ref().filter(|_| map.curve_map(Side::Source).is_some());
     let table = sharp.map(|points| points.table(&map, progress)).transpose()?;
@@ -213,7 +224,7 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
         }
     }
     let interpreted = PerSide::new(source.interpreted(), target.interpreted());
-    Ok(Computed { map, constraints, interpreted, coarse, unestimated, table })
+    Ok(Computed { map, constraints, pinned, interpreted, coarse, unestimated, table })
 }
 
 /// Places the mesh's vertices by Cauchy's integral; says on stderr how many it cannot place.

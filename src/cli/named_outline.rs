@@ -1,7 +1,7 @@
 //! Outlines named on the command line, by `preset:NAME` or as a file: reading and preparing them.
 
 use super::CliError;
-use super::arguments::InterpretArgument;
+use super::discretization::InterpretArgument;
 use crate::conformal::{KernelMode, PrepareError, PrepareSettings, PreparedSide, Stage, prepare, prepare_curve};
 use crate::geometry::DVec2;
 use crate::outline::{self, Interpreted, Outline, Preset};

@@ -1,11 +1,11 @@
 //! `riemap render`: a session as a picture, as the app shows it, or as another file; `riemap link`: a session's link.
 
 use super::CliError;
-use super::arguments::{LinkArguments, RenderArguments, SessionArguments, SideArgument, ThemeArgument};
 use super::moved::say_moved;
 use super::named_outline::{read_file, read_outline};
 use super::output::{check_paths, print, write_all};
 use super::picture::{encode, failed};
+use super::picture_arguments::{LinkArguments, RenderArguments, SessionArguments, SideArgument, ThemeArgument};
 use super::progress::Progress;
 use crate::conformal::{PerSide, Side};
 use crate::export::FileFormat;

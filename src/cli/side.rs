@@ -1,7 +1,7 @@
 //! A side given on the command line, an outline or a surface: reading, preparing and locating its points.
 
 use super::CliError;
-use super::arguments::Discretization;
+use super::discretization::Discretization;
 use super::flatten_arguments::{self, SurfaceAnchor, SurfacePoint, preset};
 use super::named_outline::{NamedOutline, read_outline};
 use super::output::{say_solver, warn_if_coarse};
@@ -64,6 +64,17 @@ impl FromStr for SideAnchor {
             }),
         }
     }
+}
+
+/// An interior point as it is written: `[x, y]`, or a surface's triangle (counted after polygons are cut into
+/// triangles) with the weights of its corners in the file's order.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[serde(untagged)]
+pub enum Place {
+    /// In an outline.
+    Plane([f64; 2]),
+    /// On a surface.
+    Surface { triangle: u32, weights: [f64; 3], position: [f64; 3] },
 }
 
 /// A side as it was read.
@@ -129,20 +140,27 @@ pub struct Asked<'a> {
 impl Asked<'_> {
     /// Checks that the arguments fit the side's kind, outline or surface.
     pub fn check(&self) -> Result<(), CliError> {
-        let is_surface = is_surface(self.title);
+        let is_surface = is_surface(self.name);
         let (point_option, point) = self.point;
         if let (true, Some(SidePoint::Plane(_))) | (false, Some(SidePoint::Surface(_))) = (is_surface, point) {
             return Err(other_point(self.title, is_surface, point_option));
         }
         let (anchor_option, anchor) = self.anchor;
-        match (is_surface, anchor) {
-            (true, SideAnchor::Plane(_)) | (false, SideAnchor::Surface(_)) => {
-                Err(other_anchor(self.title, is_surface, anchor_option))
-            }
-            (true, _) if self.samples.is_some() => Err(CliError::Usage(format!(
+        self.check_anchor(anchor_option, anchor)?;
+        if is_surface && self.samples.is_some() {
+            return Err(CliError::Usage(format!(
                 "{} is a surface: it has its own boundary vertices, and takes no samples",
                 self.title
-            ))),
+            )));
+        }
+        Ok(())
+    }
+
+    /// Checks that a boundary point given by `option` fits the side's kind.
+    pub fn check_anchor(&self, option: &str, anchor: SideAnchor) -> Result<(), CliError> {
+        match (is_surface(self.name), anchor) {
+            (true, SideAnchor::Plane(_)) => Err(other_anchor(self.title, true, option)),
+            (false, SideAnchor::Surface(_)) => Err(other_anchor(self.title, false, option)),
             _ => Ok(()),
         }
     }
@@ -228,6 +246,20 @@ impl NamedSide {
         Ok(Some(Arc::new(finer)))
     }
 
+    /// Prepares an outline anew for this interior point, if its integral equation does not resolve it; says whether.
+    pub fn resolve(&mut self, point: InteriorPoint, progress: &Progress) -> Result<bool, CliError> {
+        let (Given::Outline(outline), Some(settings), Some(x)) = (&self.given, self.settings, point.in_plane()) else {
+            return Ok(false);
+        };
+        if self.prepared.equation().is_none_or(|equation| equation.resolves(x)) {
+            return Ok(false);
+        }
+        let prepared = outline.prepare(&[x], &settings, &mut progress.preparing(&self.title));
+        let prepared = prepared.map_err(|error| CliError::Input(format!("{}: {error}", self.title)))?;
+        self.prepared = Arc::new(prepared);
+        Ok(true)
+    }
+
     /// What an outline's points were taken for.
     pub fn interpreted(&self) -> Option<Interpreted> {
         self.interpreted
@@ -255,8 +287,25 @@ impl NamedSide {
         }
     }
 
+    /// An interior point of this side as it is written in summaries.
+    pub fn place(&self, point: InteriorPoint) -> Result<Place, CliError> {
+        match (point, self.prepared.geometry(), &self.given) {
+            (InteriorPoint::Plane(x), ..) => Ok(Place::Plane(x.to_array())),
+            (InteriorPoint::Surface(point), SideGeometry::Space(meshed), Given::Surface(given)) => {
+                let disk = meshed.surface();
+                let mut weights = [0.0; 3];
+                for (i, weight) in disk.corners_in(given, point.triangle()).into_iter().zip(point.weights()) {
+                    weights[i] = weight;
+                }
+                let triangle = disk.triangle_origins()[point.triangle().index()];
+                Ok(Place::Surface { triangle, weights, position: meshed.position(point).to_array() })
+            }
+            (InteriorPoint::Surface(_), ..) => Err(CliError::Input(format!("{} is no surface", self.title))),
+        }
+    }
+
     /// The fraction of the boundary's length given by `option`.
-    fn anchor(&self, option: &str, anchor: SideAnchor) -> Result<f64, CliError> {
+    pub fn anchor(&self, option: &str, anchor: SideAnchor) -> Result<f64, CliError> {
         match (anchor, self.prepared.geometry()) {
             (SideAnchor::Fraction(s), _) => Ok(s.rem_euclid(1.0)),
             (SideAnchor::Plane(anchor), SideGeometry::Plane(domain)) => {

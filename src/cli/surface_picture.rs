@@ -55,6 +55,7 @@ pub fn png(
     let layout = SceneCells { positions, triangles, codes: &[], style: wire };
     let solid = SurfacePart {
         surface,
+        triangles: surface.mesh().triangles(),
         coordinates: map.images(),
         camera: camera(preset(name), surface, 0.5 * f64::from(size[0]) / f64::from(size[1])),
         handles: places(surface, x2, anchors[side]),
@@ -80,6 +81,7 @@ pub fn png_of_two(
         let (surface, point) = (map.side(side).surface()?, constraints.points[side].on_surface()?);
         Some(ScenePart::Space(SurfacePart {
             surface,
+            triangles: surface.mesh().triangles(),
             coordinates: map.disk(side)?,
             camera: camera(preset(names[side]), surface, aspect),
             handles: places(surface, point, map.measure(side).anchor()),

@@ -1,6 +1,7 @@
 //! A map's numbers as JSON, with a summary.
 
 use super::accuracy::Accuracy;
+use super::pins::Pinned;
 use crate::conformal::{
     ConformalMap, FrameTimings, PerSide, Places, PrepareTimings, PreparedSide, Quality, ResolvedBoundary, Side,
 };
@@ -50,6 +51,9 @@ pub struct Summary {
     /// How the measures were computed, and how accurately.
     #[serde(flatten)]
     pub accuracy: Accuracy,
+    /// The pins and what came out, if the map was given by pins.
+    #[serde(flatten)]
+    pub pinned: Option<Pinned>,
 }
 
 impl Summary {
@@ -69,6 +73,7 @@ impl Summary {
             unresolved_area: map.resolution().map(ResolvedBoundary::unresolved_area),
             interpretation,
             accuracy: Accuracy::of(map, unestimated),
+            pinned: None,
         }
     }
 }

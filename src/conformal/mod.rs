@@ -18,6 +18,7 @@
 //! | conformal polar coordinates | `disk_coordinates` | sections 1.2, 3.1 |
 //! | images on another surface, through the disk | `through_disk` | |
 //! | the mapped mesh refined where images are long | `resolution` | |
+//! | the constraints of the map through three boundary pairs, or nearest to more | `pins` | |
 //! | angle and area distortion | `distortion`, `histogram` | section 5.1 |
 //!
 //! A [`PreparedSide`] is a planar domain or a surface (section 4.3); the two differ only in
@@ -53,6 +54,7 @@ mod map_side;
 mod matching;
 mod measure;
 mod measured;
+mod pins;
 mod places;
 mod prepare;
 mod prepared_side;
@@ -93,6 +95,7 @@ pub use map::{ConformalMap, FrameTimings};
 pub use map_error::{MapError, MapNote};
 pub use matching::{BoundaryCorrespondence, match_measures};
 pub use measure::HarmonicMeasure;
+pub use pins::{MOST_PINS, PinError, Pins};
 pub use places::{Places, Unfold};
 pub use prepare::{
     KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, Stage, SurfaceSettings, Unprepared, prepare,

@@ -21,6 +21,7 @@ pub struct MeshedSurface {
     flips: FlipReport,
     centre: BarycentricPoint,
     tree: OnceLock<SurfaceTree>,
+    holes: OnceLock<Vec<Vec<u32>>>,
 }
 
 impl MeshedSurface {
@@ -35,7 +36,7 @@ impl MeshedSurface {
     /// The surface from its parts, as they are after a transfer.
     pub(super) fn from_parts(surface: SurfaceMesh, flips: FlipReport, centre: BarycentricPoint) -> Self {
         let (edge_lengths, fractions) = along_boundary(surface.mesh());
-        Self { surface, edge_lengths, fractions, flips, centre, tree: OnceLock::new() }
+        Self { surface, edge_lengths, fractions, flips, centre, tree: OnceLock::new(), holes: OnceLock::new() }
     }
 
     /// The surface as it was read and repaired: boundary loop first.
@@ -86,6 +87,11 @@ impl MeshedSurface {
     /// The search tree if it is already built; building takes a while for millions of triangles.
     pub fn tree_if_made(&self) -> Option<&SurfaceTree> {
         self.tree.get()
+    }
+
+    /// The boundary loops that repairs have filled ([`SurfaceMesh::holes`]); found on the first call.
+    pub fn holes(&self) -> &[Vec<u32>] {
+        self.holes.get_or_init(|| self.surface.holes())
     }
 
     /// The position in space of a point of the boundary loop.

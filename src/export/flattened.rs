@@ -213,7 +213,7 @@ impl Flattened {
 
 impl Placement {
     /// The position in the outline of texture coordinates.
-    pub(super) fn position(self, coordinates: DVec2) -> DVec2 {
+    pub fn position(self, coordinates: DVec2) -> DVec2 {
         coordinates / self.scale + self.origin
     }
 }

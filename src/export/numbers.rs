@@ -59,6 +59,7 @@ fn axes(in_space: bool) -> &'static [&'static str] {
 ///
 /// Between outlines and between surfaces, `v` lies on the target and `vt` on the source; with one surface `v` lies on
 /// the surface and `vt` in the plane. The vertices are in the order of the mesh: boundary first.
+/// Triangles that fill a hole are omitted.
 pub fn mapped_obj(map: &ConformalMap) -> String {
     let (own, images) = (map.mapped().vertices(), map.image_places());
     let (positions, coordinates, comment) = match (own, images, map.direction()) {
@@ -69,7 +70,7 @@ pub fn mapped_obj(map: &ConformalMap) -> String {
     let mut text = format!("# riemap: {comment}\n");
     put(&mut text, "v", positions, " 0");
     put(&mut text, "vt", coordinates, "");
-    for [a, b, c] in map.mapped().triangles().iter().map(|t| t.map(|v| v + 1)) {
+    for [a, b, c] in map.given(map.mapped().triangles()).map(|t| t.map(|v| v + 1)) {
         let _ = writeln!(text, "f {a}/{a} {b}/{b} {c}/{c}");
     }
     text

@@ -21,7 +21,7 @@ pub(crate) use curve::gauss_legendre;
 pub use curve::{Curve, CurveError, CurvePoint, Jet, Junction, Piece};
 pub use edge_tree::{EdgeTree, NearestPoint};
 pub use error::PolygonError;
-pub use glam::{DVec2, DVec3};
+pub use glam::{DMat2, DVec2, DVec3};
 pub(crate) use nearness::{ChainPoint, is_nearer, nearest_of_chain, nearest_of_polygon, pulled_back};
 pub use picture_placement::{PICTURE_MIDDLE, PICTURE_SIZE, PICTURE_TURN, PictureFrame, PicturePlacement};
 pub use polygon::{Bounds, SimplePolygon};

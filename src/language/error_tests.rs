@@ -7,6 +7,7 @@ use crate::geometry::{DVec2, SimplePolygon};
 use crate::mesh::{TriangleId, VertexId};
 use crate::outline::{Sampling, parse, sample};
 use crate::session::file::FileError;
+use crate::session::lesson::{LessonError, StepError};
 use crate::session::{Command, OutlineSpec, Session, file, link};
 use crate::surface::{SurfaceMesh, read_surface};
 use serde_json::json;
@@ -265,6 +266,10 @@ fn sessions_and_links_that_cannot_be_opened() {
         let last = key::last_session_not_opened(message(&file::read(b"{}").unwrap_err()));
         check(&key::sentence_and(key::link_not_opened(message(&error)), last), false);
     }
+    let shortened =
+        link::ShortenedOutline { side: Side::Source, name: "leaf".into(), from: 900, to: 200, deviation: 0.001_3 };
+    check(&message(&shortened), false);
+    assert!(Language::German.message(&message(&shortened)).contains("um höchstens 0,13\u{a0}% seiner Größe"));
     let side = Side::Source;
     let coarse =
         PrepareSettings { sampling: Sampling::Uniform { count: 7, keep_corners: true }, ..PrepareSettings::default() };
@@ -378,5 +383,29 @@ fn counts_of_one() {
     for said in sentences(6) {
         assert!(said.english().contains('6'), "{}", said.english());
         check(&said, false);
+    }
+}
+
+#[test]
+fn lessons_that_cannot_be_read_or_written() {
+    let step = |line, error| LessonError::Step { step: 2, line, error };
+    for error in [
+        LessonError::TooLarge,
+        LessonError::NotText,
+        LessonError::NoLesson,
+        LessonError::Version { found: "2".into() },
+        LessonError::Line { line: 3 },
+        LessonError::NoSteps,
+        LessonError::TooManySteps,
+        LessonError::LongTitle { length: 300 },
+        LessonError::Link(link::LinkError::Damaged),
+        LessonError::TooLongForLink,
+        step(Some(5), StepError::Link(link::LinkError::NoSession)),
+        step(None, StepError::MissingOutline { side: Side::Source, name: "the hand".into() }),
+        step(None, StepError::SurfaceFile { name: "cow.obj".into() }),
+        step(None, StepError::OwnPicture),
+        step(None, StepError::LongCaption { length: 3000 }),
+    ] {
+        german(&error);
     }
 }

@@ -98,7 +98,8 @@ pub fn ladder_shape(shape: LadderShape) -> Message {
 impl From<SceneLabel> for Message {
     fn from(label: SceneLabel) -> Self {
         match label {
-            SceneLabel::Samples(_) | SceneLabel::SourceSamples(_) | SceneLabel::Radius(_) => label.to_string().into(),
+            SceneLabel::Samples(_) | SceneLabel::SourceSamples(_) => label.to_string().into(),
+            SceneLabel::Radius(radius) => key::scene_radius(radius),
             SceneLabel::Way(direction, extension) => key::both_items(way(direction), how(extension)),
             SceneLabel::Outline(outline) => preset(outline).into(),
             SceneLabel::VShapeToBlob => key::scene_v_shape_to_blob().into(),

@@ -35,6 +35,7 @@ impl Model {
                     return Touched::NOTHING;
                 }
             }
+            Command::SetHoles { side, holes } => self.set_holes(side, holes),
             Command::CloseSurface(side) => self.close_surface(side),
             Command::SetSettings { side, settings } => self.side_mut(side).want_settings(settings, now),
             Command::Swap => self.swap(),

@@ -1,4 +1,5 @@
-//! The kind of an opened file (outline, surface, image or session), from its purpose and its name.
+//! The kind of an opened file (outline, surface, image, session or lesson), from its purpose and its name; a lesson is
+//! told by its first line, whatever its name.
 //!
 //! No file is parsed here: a side's worker parses outlines, surfaces and sessions, the platform decodes images.
 
@@ -7,7 +8,7 @@ use crate::language::{Label, Message, key};
 use crate::model::editing::tracing;
 use crate::model::side::user_error::UserError;
 use crate::outline::Outline;
-use crate::session::{Touched, file};
+use crate::session::{Touched, file, lesson};
 
 /// The purpose for which a file is opened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,6 +21,8 @@ pub enum FilePurpose {
     Trace(Side),
     /// As a session.
     Session,
+    /// As the lesson in its panel.
+    Lesson,
     /// As the own picture of a session that is opened with it.
     OfSession,
     /// Dropped over this side: the name decides.
@@ -38,6 +41,7 @@ pub fn kind_of_file(purpose: FilePurpose) -> Label {
     match purpose {
         FilePurpose::Image | FilePurpose::OfSession | FilePurpose::Trace(_) => key::images(),
         FilePurpose::Session => key::sessions(),
+        FilePurpose::Lesson => key::lessons(),
         FilePurpose::Outline(_) | FilePurpose::Dropped(_) => key::outlines_and_surfaces(),
     }
 }
@@ -46,7 +50,8 @@ pub fn kind_of_file(purpose: FilePurpose) -> Label {
 pub fn endings(purpose: FilePurpose) -> Vec<&'static str> {
     match purpose {
         FilePurpose::Image | FilePurpose::OfSession | FilePurpose::Trace(_) => IMAGE_ENDINGS.to_vec(),
-        FilePurpose::Session => vec![file::EXTENSION],
+        FilePurpose::Session => vec![file::EXTENSION, lesson::EXTENSION],
+        FilePurpose::Lesson => vec![lesson::EXTENSION],
         FilePurpose::Outline(_) | FilePurpose::Dropped(_) => {
             [&OUTLINE_ENDINGS[..], &SURFACE_ENDINGS, &IMAGE_ENDINGS, &[file::EXTENSION]].concat()
         }
@@ -71,10 +76,14 @@ pub enum FileKind {
     Surface(Side),
     /// A picture to trace an outline of for a side.
     Trace(Side),
+    /// A picture opened as the outline of a side: to trace, or to use as the texture; the person is asked.
+    Picture(Side),
     /// The texture.
     Texture,
     /// A session.
     Session,
+    /// A lesson.
+    Lesson,
 }
 
 impl FileKind {
@@ -85,8 +94,9 @@ impl FileKind {
             FilePurpose::Image | FilePurpose::OfSession => Self::Texture,
             FilePurpose::Dropped(_) if has_ending(name, &IMAGE_ENDINGS) => Self::Texture,
             FilePurpose::Trace(side) => Self::Trace(side),
-            FilePurpose::Outline(side) if has_ending(name, &IMAGE_ENDINGS) => Self::Trace(side),
+            FilePurpose::Outline(side) if has_ending(name, &IMAGE_ENDINGS) => Self::Picture(side),
             FilePurpose::Session => Self::Session,
+            FilePurpose::Lesson => Self::Lesson,
             _ if has_ending(name, &[file::EXTENSION]) => Self::Session,
             FilePurpose::Outline(side) | FilePurpose::Dropped(side) => {
                 if has_ending(name, &SURFACE_ENDINGS) {
@@ -101,17 +111,18 @@ impl FileKind {
     /// The side that shows a failure; `None`: the message of the whole window.
     pub fn side(self) -> Option<Side> {
         match self {
-            Self::Outline(side) | Self::Surface(side) | Self::Trace(side) => Some(side),
-            Self::Texture | Self::Session => None,
+            Self::Outline(side) | Self::Surface(side) | Self::Trace(side) | Self::Picture(side) => Some(side),
+            Self::Texture | Self::Session | Self::Lesson => None,
         }
     }
 
-    /// The parts of the session that the resulting command touches.
+    /// The parts of the session that the resulting command touches; of a picture that the answer decides about, the
+    /// fewer.
     pub fn touches(self) -> Touched {
         match self {
             Self::Outline(_) | Self::Surface(_) | Self::Trace(_) => Touched::ANOTHER_SHAPE,
-            Self::Texture => Touched::PATTERN,
-            Self::Session => Touched::EVERYTHING,
+            Self::Picture(_) | Self::Texture => Touched::PATTERN,
+            Self::Session | Self::Lesson => Touched::EVERYTHING,
         }
     }
 }
@@ -139,7 +150,7 @@ mod tests {
     fn a_dropped_png_is_a_texture_whatever_the_case_of_its_ending() {
         assert_eq!(FileKind::of(FilePurpose::Dropped(Side::Target), "a.PNG"), FileKind::Texture);
         assert_eq!(FileKind::of(FilePurpose::Trace(Side::Target), "a.PNG"), FileKind::Trace(Side::Target));
-        assert_eq!(FileKind::of(FilePurpose::Outline(Side::Source), "bird.JPG"), FileKind::Trace(Side::Source));
+        assert_eq!(FileKind::of(FilePurpose::Outline(Side::Source), "bird.JPG"), FileKind::Picture(Side::Source));
     }
 
     #[test]
@@ -161,6 +172,7 @@ mod tests {
             (FileKind::Outline(side), &outline),
             (FileKind::Trace(side), &outline),
             (FileKind::Surface(side), &surface),
+            (FileKind::Picture(side), &Command::SetTexture(TextureKind::Image)),
             (FileKind::Texture, &Command::SetTexture(TextureKind::Image)),
             (FileKind::Session, &Command::Open(Box::<Session>::default())),
         ] {

@@ -8,6 +8,7 @@
 
 mod abilities;
 mod attachments;
+pub mod boundary_loops;
 pub mod coarse;
 mod commands;
 pub mod curves;

@@ -57,7 +57,7 @@ impl ShownMap {
 pub struct Shown<'a> {
     /// The direction of the map; with one surface, the surface is mapped.
     pub direction: Direction,
-    /// The triangles of the mapped mesh.
+    /// The triangles of the mapped mesh that are painted.
     pub triangles: &'a [[u32; 3]],
     /// The positions of its vertices, if they lie in the plane.
     pub planar: Option<&'a [DVec2]>,
@@ -90,7 +90,7 @@ impl Model {
         let mapped = map.mapped();
         Some(Shown {
             direction: map.direction(),
-            triangles: mapped.triangles(),
+            triangles: mapped.surface().map_or(mapped.triangles(), |surface| self.painted(map.mapped_side(), surface)),
             planar: mapped.domain().map(|domain| domain.mesh().vertices()),
             images: map.images(),
             is_through_disk: map.is_through_disk(),

@@ -7,7 +7,7 @@ use crate::model::Model;
 use crate::model::opening::Arrived;
 use crate::model::side::preparation::Progress;
 use crate::model::side::{ModelSide, Next, SurfaceSide};
-use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec, SurfaceState};
+use crate::session::{Command, Holes, SidePoints, SurfaceShape, SurfaceSpec, SurfaceState};
 use crate::surface::RepairNote;
 use crate::worker::{NamedFile, Response};
 use std::sync::Arc;
@@ -124,9 +124,27 @@ impl Model {
 
     /// Stores a prepared surface and its points in the session.
     fn place_surface(&mut self, side: Side, state: SurfaceState) {
-        let points = state.points();
+        let (points, holes) = (state.points(), state.holes());
         self.session.apply(Command::SetSurface { side, surface: state.spec });
+        self.session.apply(Command::SetHoles { side, holes });
         self.session.apply(Command::PlacePoints { side, points });
+    }
+
+    /// Sets what is painted of the filled holes of a side's surface; its meshes are uploaded with a new map.
+    pub(super) fn set_holes(&mut self, side: Side, holes: Holes) {
+        self.session.apply(Command::SetHoles { side, holes });
+        if let Some(incoming) = self.sides[side].next.surface_mut() {
+            incoming.holes = holes;
+        }
+        self.change_resolution();
+    }
+
+    /// The triangles of a side's surface that are painted: without the filling of holes that are shown open.
+    pub fn painted<'a>(&self, side: Side, surface: &'a MeshedSurface) -> &'a [[u32; 3]] {
+        match self.session.surface(side).map(SurfaceState::holes) {
+            Some(Holes::Open) => surface.surface().given_triangles(),
+            Some(Holes::Filled) | None => surface.mesh().triangles(),
+        }
     }
 
     /// Removes a side's surface or cancels its preparation; the outline is shown again.
@@ -205,9 +223,10 @@ impl Model {
 
     /// The notes from reading a side's surface, its repairs, and the note of its map.
     pub fn surface_notes(&self, side: Side) -> Vec<Message> {
-        let Some((surface, _)) = self.surface(side) else { return Vec::new() };
-        let words = |repair: &RepairNote| match repair {
-            RepairNote::FilledHoles { .. } => key::grey_in_colours(Message::from(repair)),
+        let Some((surface, state)) = self.surface(side) else { return Vec::new() };
+        let words = |repair: &RepairNote| match (repair, state.holes()) {
+            (RepairNote::FilledHoles { .. }, Holes::Filled) => key::grey_in_colours(Message::from(repair)),
+            (RepairNote::FilledHoles { .. }, Holes::Open) => key::open_in_picture(Message::from(repair)),
             _ => repair.into(),
         };
         let repairs = surface.surface().into_iter().flat_map(|surface| surface.surface().repairs());

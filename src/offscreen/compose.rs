@@ -58,6 +58,8 @@ pub struct PlanarPart<'a> {
 pub struct SurfacePart<'a> {
     /// The surface.
     pub surface: &'a MeshedSurface,
+    /// The triangles that are painted.
+    pub triangles: &'a [[u32; 3]],
     /// The texture coordinates of its vertices.
     pub coordinates: &'a [DVec2],
     /// The camera.
@@ -138,7 +140,7 @@ fn in_space<'a>(part: &SurfacePart<'a>, handles: &'a [SurfaceHandle], look: &Loo
     SceneSurface {
         geometry: SurfaceGeometry {
             positions: mesh.vertices(),
-            triangles: mesh.triangles(),
+            triangles: part.triangles,
             boundary_count: mesh.boundary_count(),
         },
         texture_coordinates: part.coordinates,

@@ -13,9 +13,9 @@ mod web;
 #[cfg(target_arch = "wasm32")]
 pub use web::{
     Preparer, StudyRunner, address_query, address_with, begin_visit, can_share, decode_image, describe, drop_position,
-    first_kept, has_fingers, has_full_screen, keep, languages, link, load_visit, new_visit, pick_file, read_dropped,
-    remember, remembered, save_file, say, say_language, share, show_link, start, tell_page, toggle_full_screen, visit,
-    watch_graphics,
+    first_kept, has_fingers, has_full_screen, keep, languages, lesson_link, link, load_visit, new_visit, pick_file,
+    read_dropped, remember, remembered, save_file, say, say_language, share, show_link, start, tell_page,
+    toggle_full_screen, visit, wants_calm, watch_graphics,
 };
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -25,8 +25,8 @@ mod native_image;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{
     Preparer, StudyRunner, address_query, address_with, begin_visit, can_share, describe, drop_position, has_fingers,
-    has_full_screen, languages, link, new_visit, pick_file, read_dropped, remember, remembered, save_file, say,
-    say_language, share, show_link, start, tell_page, toggle_full_screen, visit, watch_graphics,
+    has_full_screen, languages, lesson_link, link, new_visit, pick_file, read_dropped, remember, remembered, save_file,
+    say, say_language, share, show_link, start, tell_page, toggle_full_screen, visit, wants_calm, watch_graphics,
 };
 #[cfg(not(target_arch = "wasm32"))]
 mod native_store;
@@ -53,6 +53,8 @@ pub enum Kept {
     Session,
     /// The user's preferences.
     Preferences,
+    /// The draft of a lesson.
+    Lesson,
 }
 
 /// Something that happened between frames.

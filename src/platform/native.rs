@@ -191,6 +191,11 @@ pub fn link() -> Option<String> {
     None
 }
 
+/// The link of a lesson in the address: there is none.
+pub fn lesson_link() -> Option<String> {
+    None
+}
+
 /// Does nothing: a window has no address.
 pub fn show_link(_fragment: &str) {}
 
@@ -245,6 +250,7 @@ fn kept_at(what: Kept) -> Option<PathBuf> {
     let name = match what {
         Kept::Session => "last.riemap",
         Kept::Preferences => "preferences.json",
+        Kept::Lesson => "draft.lesson.txt",
     };
     Some(kept_folder()?.join(name))
 }
@@ -262,6 +268,11 @@ pub fn describe(_text: &str) {}
 
 /// Whether the screen is touched, before its first touch: unknown on the desktop, hence false.
 pub fn has_fingers() -> bool {
+    false
+}
+
+/// Whether the user has asked the system for less motion: unknown on the desktop, hence false.
+pub fn wants_calm() -> bool {
     false
 }
 

@@ -4,7 +4,7 @@
 //! before, which costs nothing where the bad poles are next to zeros of their own. Where they are not, those inside are
 //! mirrored at the boundary, and the numerator is fitted again; its space then holds that of the good poles alone.
 
-use super::fit::Precision;
+use super::fit::{Cancelled, Precision};
 use super::fitting::Fitting;
 use super::fixed_poles::{fitted, interpolated};
 use super::function::Rational;
@@ -17,14 +17,15 @@ const NO_EFFECT: f64 = 1e-3;
 const WORSE: f64 = 1.2;
 
 impl Fitting<'_> {
-    /// The function without its bad poles, and its poles.
+    /// The function without its bad poles, and its poles. `go_on` is asked before every step.
     pub fn without_bad_poles(
         &self,
         mut function: Rational,
         contains: &dyn Fn(Complex64) -> bool,
-    ) -> (Rational, Vec<Complex64>) {
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> Result<(Rational, Vec<Complex64>), Cancelled> {
         let mut can_mirror = true;
-        loop {
+        while go_on() {
             if self.precision == Precision::Single {
                 function = function.rounded();
             }
@@ -32,7 +33,7 @@ impl Fitting<'_> {
             let (idle, good): (Vec<_>, Vec<_>) =
                 outside.into_iter().partition(|&pole| self.has_no_effect(&function, pole));
             if inside.is_empty() && idle.is_empty() {
-                return (function, good);
+                return Ok((function, good));
             }
             let mirrored: Vec<_> = inside.iter().map(|&pole| self.mirrored(pole)).collect();
             // once, so that the degree falls afterwards
@@ -40,6 +41,7 @@ impl Fitting<'_> {
             let mirrored = std::mem::take(&mut can_mirror).then_some(mirrored);
             function = self.with_good_poles(&function, &[inside, idle].concat(), good, mirrored);
         }
+        Err(Cancelled)
     }
 
     /// The function without the bad poles, or if that is worse, with mirrored ones and another numerator.

@@ -72,7 +72,7 @@ pub struct Cancelled;
 
 impl Fit {
     /// Fits the map of a boundary. `contains` says whether a point lies inside; `report` gets the share of the digits
-    /// that is reached, before every step, and returns whether to go on.
+    /// that is reached, before every step, and 1 before poles inside are removed; it returns whether to go on.
     ///
     /// The error is not guaranteed to reach the goal: [`Self::error`] says what it is. No pole lies inside.
     pub fn new(
@@ -84,7 +84,7 @@ impl Fit {
         let rounded = Rounded(boundary);
         let mut fitting = Fitting::new(if goal.precision == Precision::Single { &rounded } else { boundary }, goal);
         let function = fitting.converge(report)?;
-        let (function, poles) = fitting.without_bad_poles(function, contains);
+        let (function, poles) = fitting.without_bad_poles(function, contains, &mut || report(1.0))?;
         let error = fitting.measured(&function);
         Ok(Self { function, poles, error, extent: fitting.extent(), jump: fitting.jump() })
     }

@@ -165,6 +165,18 @@ fn a_fit_ends_when_it_is_cancelled() {
 }
 
 #[test]
+fn a_fit_ends_while_poles_are_removed_too() {
+    let goal = Goal { tolerance: 1e-10, degree: 100, precision: Precision::Double };
+    let noise = |z: Complex64| z.exp() + 1e-6 * (1e5 * z.re).sin();
+    let mut is_removing = false;
+    let result = Fit::new(&circle(noise), &|z| z.norm() < 1.0, goal, &mut |done| {
+        is_removing = done == 1.0;
+        !is_removing
+    });
+    assert!(result == Err(Cancelled) && is_removing);
+}
+
+#[test]
 fn in_single_precision_five_digits_hold_in_f32() {
     let goal = Goal { tolerance: 1e-5, degree: 100, precision: Precision::Single };
     let fit = Fit::new(&circle(|z| (1.3 * z).tan()), &|z| z.norm() < 1.0, goal, &mut |_| true).unwrap();

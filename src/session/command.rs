@@ -1,6 +1,8 @@
 //! [`Command`], the only way to change a [`Session`]: what each command touches and how it is applied.
 
-use super::{Colouring, Comparison, OutlineSpec, Session, SidePoints, SideState, SurfaceSpec, TextureKind, Touched};
+use super::{
+    Colouring, Comparison, Holes, OutlineSpec, Session, SidePoints, SideState, SurfaceSpec, TextureKind, Touched,
+};
 use crate::conformal::{Direction, Extension, InteriorPoint, PrepareSettings, Side};
 use crate::geometry::{DVec2, PicturePlacement};
 
@@ -51,6 +53,11 @@ pub enum Command {
         side: Side,
         surface: SurfaceSpec,
     },
+    /// Sets what is painted of the filled holes of the side's surface; without one, changes nothing.
+    SetHoles {
+        side: Side,
+        holes: Holes,
+    },
     /// Removes the surface; the outline is shown again.
     CloseSurface(Side),
     SetDirection(Direction),
@@ -89,7 +96,7 @@ impl Command {
             Self::SetTexture(_) | Self::SetTextureScale(_) | Self::SetTextureSide(_) | Self::PlacePicture(_) => {
                 Touched::PATTERN
             }
-            Self::SetColouring(_) | Self::SetWireframe(_) => Touched::COLOURS,
+            Self::SetColouring(_) | Self::SetWireframe(_) | Self::SetHoles { .. } => Touched::COLOURS,
             Self::SetPlots(_) => Touched::PLOTS,
             Self::SetComparison(_) => Touched::COMPARISON,
             Self::Open(_) => Touched::EVERYTHING,
@@ -134,6 +141,9 @@ impl Session {
             Command::SetSurface { side, surface } | Command::RefineSurface { side, surface } => {
                 self.sides[side].set_surface(surface);
             }
+            Command::SetHoles { side, holes } => {
+                self.sides[side].surface.iter_mut().for_each(|surface| surface.holes = holes);
+            }
             Command::CloseSurface(side) => self.sides[side].surface = None,
             Command::SetDirection(direction) => self.display.direction = direction,
             Command::SetExtension(extension) => self.display.extension = extension,
@@ -156,6 +166,7 @@ impl Session {
         match command {
             Command::MoveInterior { side, point: InteriorPoint::Surface(_) }
             | Command::PlacePoints { side, points: SidePoints::Surface { .. } }
+            | Command::SetHoles { side, .. }
             | Command::CloseSurface(side) => self.surface(*side).is_some(),
             Command::RefineSurface { side, surface } => {
                 self.surface(*side).is_some_and(|there| there.spec.is_like(surface))

@@ -2,12 +2,14 @@
 //!
 //! A [`Session`] holds two sides and the settings of the map and its display. Its fields are read by
 //! accessors; [`Session::apply`] is the only way to change it, and returns what was [`Touched`].
-//! A session is plain data: links ([`link`]) and files ([`mod@file`]) store it.
+//! A session is plain data: links ([`link`]) and files ([`mod@file`]) store it, lessons ([`lesson`]) order several.
 
 mod command;
 #[cfg(feature = "io")]
 pub mod file;
 mod history;
+#[cfg(feature = "io")]
+pub mod lesson;
 mod limits;
 #[cfg(feature = "io")]
 pub mod link;
@@ -22,7 +24,7 @@ pub use history::History;
 pub use limits::{CELLS, GROWTH, OutOfRange, Quantity, SAMPLES, SURFACE_BOUNDARY};
 pub use outline::{DomainSpec, OutlineSpec};
 pub use side::{SidePoints, SideState};
-pub use surface::{SurfaceShape, SurfaceSpec, SurfaceState};
+pub use surface::{Holes, SurfaceShape, SurfaceSpec, SurfaceState};
 pub use touched::Touched;
 use view::Display;
 pub use view::{Colouring, Comparison, DiskWay, TextureKind};

@@ -110,6 +110,7 @@ impl SideState {
         let mut new = SurfaceState::new(spec);
         if let Some(old) = old {
             new.anchor = old.anchor;
+            new.holes = old.holes;
             new.point = old.point.filter(|_| old.spec.shape == new.spec.shape);
         }
         self.surface = Some(new);

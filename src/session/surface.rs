@@ -58,9 +58,37 @@ pub struct SurfaceSpec {
     /// Whether the safe repairs are made.
     #[serde(default)]
     pub repair: bool,
+    /// Of several boundary loops the one that is the outline, counted from 0 by falling length; the repairs fill the
+    /// others. Without repairs there is one loop.
+    #[serde(default, skip_serializing_if = "is_longest")]
+    pub outline_loop: u16,
     /// How it is discretized.
     #[serde(default)]
     pub settings: SurfaceSettings,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
+fn is_longest(outline_loop: &u16) -> bool {
+    *outline_loop == 0
+}
+
+/// What is painted of the filled holes of a repaired surface. The map is that of the filled surface in both cases, and
+/// the surface's files never contain the filling.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Holes {
+    /// Their filling, gray in the colors of distortion.
+    #[default]
+    Filled,
+    /// Nothing: neither the pattern, nor colors, nor edges.
+    Open,
+}
+
+impl Holes {
+    /// Whether the filling is painted.
+    pub fn are_filled(&self) -> bool {
+        *self == Self::Filled
+    }
 }
 
 impl SurfaceSpec {
@@ -75,6 +103,12 @@ impl SurfaceSpec {
         Self { repair, ..self }
     }
 
+    /// Chooses the boundary loop that is the outline.
+    #[must_use]
+    pub fn with_outline_loop(self, outline_loop: u16) -> Self {
+        Self { outline_loop, ..self }
+    }
+
     /// Replaces how it is discretized.
     #[must_use]
     pub fn with_settings(self, settings: SurfaceSettings) -> Self {
@@ -83,7 +117,7 @@ impl SurfaceSpec {
 
     /// Whether the two are the same surface, at any resolution and with any settings.
     pub fn is_like(&self, other: &Self) -> bool {
-        self.repair == other.repair && self.shape.is_like(&other.shape)
+        (self.repair, self.outline_loop) == (other.repair, other.outline_loop) && self.shape.is_like(&other.shape)
     }
 }
 
@@ -98,12 +132,14 @@ pub struct SurfaceState {
     pub(crate) point: Option<BarycentricPoint>,
     #[serde(default)]
     pub(crate) anchor: f64,
+    #[serde(default, skip_serializing_if = "Holes::are_filled")]
+    pub(crate) holes: Holes,
 }
 
 impl SurfaceState {
     /// The surface with its default points.
     pub fn new(spec: SurfaceSpec) -> Self {
-        Self { spec, point: None, anchor: 0.0 }
+        Self { spec, point: None, anchor: 0.0, holes: Holes::default() }
     }
 
     /// Where the surface comes from and how it is prepared.
@@ -119,6 +155,17 @@ impl SurfaceState {
     /// The boundary point `y`, as a fraction of the length of the boundary loop, in [0, 1].
     pub fn anchor(&self) -> f64 {
         self.anchor
+    }
+
+    /// What is painted of its filled holes.
+    pub fn holes(&self) -> Holes {
+        self.holes
+    }
+
+    /// Whether it needs more than the first formats hold: another outline than the longest loop, or open holes.
+    #[cfg(feature = "io")]
+    pub(super) fn chooses_loops(&self) -> bool {
+        self.spec.outline_loop > 0 || !self.holes.are_filled()
     }
 
     /// Its two points.

@@ -7,6 +7,7 @@
 //! | connectivity, and reasons why a surface is not a disk | `survey`, `duplicates`, `topology_error` |
 //! | safe repairs, each reported | `repair`, `fill` |
 //! | numbering: boundary loop first, interior after | `disk` |
+//! | the filled boundary loops, and the triangles without their filling | `holes` |
 //! | the default interior point | `farthest` |
 //! | the point under a ray, the point nearest to a given one | `tree`, `nearest` |
 //! | surfaces by formula | `preset`, `head` |
@@ -19,6 +20,7 @@ mod edges;
 mod farthest;
 mod fill;
 mod head;
+mod holes;
 mod nearest;
 mod note;
 mod orient;

@@ -184,25 +184,29 @@ fn loops(surface: &Surface, twins: &[u32]) -> Vec<Vec<u32>> {
         let [u, v] = ends(&surface.triangles, half as u32);
         next[u as usize] = Some(v);
     }
-    let mut loops = Vec::new();
-    for start in 0..next.len() {
-        let mut vertices = Vec::new();
-        let mut at = start as u32;
-        while let Some(after) = next[at as usize].take() {
-            vertices.push(at);
-            at = after;
-        }
-        if !vertices.is_empty() {
-            loops.push(vertices);
-        }
-    }
-    sort_by_number(&mut loops, |vertices| -loop_length(surface, vertices));
+    let mut loops = chains(next);
+    sort_by_number(&mut loops, |vertices| -loop_length(&surface.vertices, vertices));
     loops
 }
 
-/// The length of a closed chain of vertices.
-pub(super) fn loop_length(surface: &Surface, vertices: &[u32]) -> f64 {
-    let at = |v: u32| surface.vertices[v as usize];
+/// The closed chains of vertices in which each is followed by its `next`, each from its least vertex on.
+pub(super) fn chains(mut next: Vec<Option<u32>>) -> Vec<Vec<u32>> {
+    let count = next.len() as u32;
+    let follow = |start: u32| {
+        let mut chain = Vec::new();
+        let mut at = start;
+        while let Some(after) = next[at as usize].take() {
+            chain.push(at);
+            at = after;
+        }
+        chain
+    };
+    (0..count).map(follow).filter(|chain| !chain.is_empty()).collect()
+}
+
+/// The length of a closed chain of vertices at these positions.
+pub(super) fn loop_length(positions: &[DVec3], vertices: &[u32]) -> f64 {
+    let at = |v: u32| positions[v as usize];
     let next = vertices.iter().cycle().skip(1);
     vertices.iter().zip(next).map(|(&u, &v)| at(u).distance(at(v))).sum()
 }
@@ -255,5 +259,9 @@ impl Connectivity {
 }
 
 pub(super) fn report(surface: &Surface, vertices: &[u32]) -> LoopReport {
-    LoopReport { vertices: vertices.len(), length: loop_length(surface, vertices), first: VertexId::new(vertices[0]) }
+    LoopReport {
+        vertices: vertices.len(),
+        length: loop_length(&surface.vertices, vertices),
+        first: VertexId::new(vertices[0]),
+    }
 }

@@ -218,6 +218,38 @@ fn any_boundary_loop_can_be_the_outline() {
 }
 
 #[test]
+fn the_holes_are_the_other_loops_and_the_given_triangles_are_a_prefix() {
+    let mut surface = grid(5);
+    surface.triangles.retain(|t| ![[7, 8, 14], [7, 14, 13], [21, 22, 28]].contains(t));
+    let Err(TopologyError::Loops { loops }) = SurfaceMesh::new(&surface) else { panic!("it has three loops") };
+    assert_eq!(SurfaceMesh::new(&grid(5)).unwrap().holes(), [[0; 0]; 0]);
+    for outline in 0..3 {
+        let disk = SurfaceMesh::repaired_around(&surface, outline).unwrap();
+        let origins =
+            |chain: &[u32]| -> Vec<u32> { chain.iter().map(|&v| disk.vertex_origins()[v as usize]).collect() };
+        let report = |chain: &[u32]| LoopReport {
+            vertices: chain.len(),
+            length: disk.loop_length(chain),
+            first: VertexId::new(*origins(chain).iter().min().unwrap()),
+        };
+        let mut others = loops.clone();
+        others.remove(outline);
+        assert_eq!(disk.holes().iter().map(|hole| report(hole)).collect::<Vec<_>>(), others, "outline {outline}");
+        // each edge of a hole is one of a given triangle, in its direction
+        for hole in disk.holes() {
+            for (k, &u) in hole.iter().enumerate() {
+                let v = hole[(k + 1) % hole.len()];
+                let has_edge = |t: &[u32; 3]| (0..3).any(|i| (t[i], t[(i + 1) % 3]) == (u, v));
+                assert!(disk.given_triangles().iter().any(has_edge), "outline {outline}: {u} → {v}");
+            }
+        }
+        let given: Vec<_> =
+            disk.given_triangles().iter().map(|t| t.map(|v| disk.vertex_origins()[v as usize])).collect();
+        assert_eq!(given, surface.triangles, "outline {outline}");
+    }
+}
+
+#[test]
 fn holes_are_filled_and_marked() {
     let mut surface = grid(5);
     // a square hole, and a triangular one

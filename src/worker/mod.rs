@@ -89,6 +89,8 @@ pub enum Task {
         source: SurfaceSource,
         /// Whether to make the safe repairs.
         repair: bool,
+        /// The boundary loop that repairs do not fill, counted from 0 by falling length.
+        outline_loop: u16,
         /// How to discretize it.
         settings: SurfaceSettings,
     },
@@ -199,8 +201,9 @@ pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
             Ok(archive) => Response::Session(Box::new(archive)),
             Err(unread) => Response::Unread(unread),
         },
-        Task::Surface { source, repair, settings } => {
-            surface(source, *repair, *settings, &mut |stage| answer(Response::Progress(stage)))
+        Task::Surface { source, repair, outline_loop, settings } => {
+            let outline = repair.then_some(usize::from(*outline_loop));
+            surface(source, outline, *settings, &mut |stage| answer(Response::Progress(stage)))
                 .unwrap_or_else(Response::Failed)
         }
     };
@@ -266,17 +269,18 @@ impl SurfaceSource {
     }
 }
 
+/// Prepares a surface, repaired around its boundary loop number `outline` if there is one.
 fn surface(
     source: &SurfaceSource,
-    repair: bool,
+    outline: Option<usize>,
     settings: SurfaceSettings,
     progress: &mut dyn FnMut(Stage),
 ) -> Result<Response, Failure> {
     progress(Stage::Read);
     let surface = source.surface()?;
-    let disk = if repair { SurfaceMesh::repaired(&surface) } else { SurfaceMesh::new(&surface) };
-    let disk = disk.map_err(|error| Failure {
-        repairable: !repair && SurfaceMesh::repaired(&surface).is_ok(),
+    let repaired = outline.map(|outline| SurfaceMesh::repaired_around(&surface, outline));
+    let disk = repaired.unwrap_or_else(|| SurfaceMesh::new(&surface)).map_err(|error| Failure {
+        repairable: outline.is_none() && SurfaceMesh::repaired(&surface).is_ok(),
         ..Failure::new(&error)
     })?;
     let notes = surface.notes().iter().map(Message::from).collect();
@@ -296,7 +300,7 @@ mod tests {
     use std::sync::Arc;
 
     fn last(source: SurfaceSource, repair: bool) -> Response {
-        let task = Task::Surface { source, repair, settings: SurfaceSettings::default() };
+        let task = Task::Surface { source, repair, outline_loop: 0, settings: SurfaceSettings::default() };
         let mut answer = None;
         run(&Request { generation: 7, task }, &mut |generation, response| {
             assert_eq!(generation, 7);

@@ -24,7 +24,10 @@ pub fn rehearsal() -> Request {
     }
     let file = NamedFile { name: "rehearsal.obj".into(), bytes: Arc::new(text.into_bytes()) };
     let source = SurfaceSource::File(file);
-    Request { generation: 0, task: Task::Surface { source, repair: false, settings: SurfaceSettings::default() } }
+    Request {
+        generation: 0,
+        task: Task::Surface { source, repair: false, outline_loop: 0, settings: SurfaceSettings::default() },
+    }
 }
 
 #[cfg(test)]

@@ -10,6 +10,20 @@ async function has(app, control) {
   return app.walkTo(control).then(() => true, () => false);
 }
 
+/** Runs in the page before its scripts: the system's dialog takes what is shared, and is closed without a choice. */
+function withSharing() {
+  const share = (given) => {
+    window.shared = given;
+    return Promise.reject(new DOMException('closed', 'AbortError'));
+  };
+  Object.defineProperty(Navigator.prototype, 'share', { value: share, configurable: true });
+}
+
+/** Runs in the page before its scripts: the system has no such dialog. */
+function withoutSharing() {
+  delete Navigator.prototype.share;
+}
+
 withOneBackend('first-visit', (bench) => {
   test(
     'the welcome leads into the tour and does not come back',
@@ -60,7 +74,34 @@ withOneBackend('first-visit', (bench) => {
   );
 
   test(
-    'a traced outline stands upright, and a picture opened as an outline is traced',
+    'the system shares title and link; where it has no dialog there is the code and the copy',
+    bench.withApp(
+      async (app) => {
+        await app.walkTo(/^Share, button/);
+        await app.press('Space');
+        await app.until('the link is shown', (stats) => stats.share);
+        await app.walkTo(/^Share…, button/);
+        await app.press('Space');
+        const given = await (await app.page.waitForFunction(() => window.shared)).jsonValue();
+        assert.deepEqual(given, { title: await app.page.title(), url: `${bench.address()}${await app.page.evaluate(() => window.riemap.link())}` });
+        assert.deepEqual((await app.stats()).errors, [], 'that the dialog was closed is no error');
+
+        const other = await bench.open(bench.address(), { prepare: withoutSharing });
+        await other.during(async () => {
+          await other.walkTo(/^Share, button/);
+          await other.press('Space');
+          const { share } = await other.until('the link is shown', (stats) => stats.share);
+          assert.ok(share.modules > 25);
+          await other.walkTo(/^Copy link, button/);
+          await assert.rejects(other.walkTo(/^Share…, button/, 70), /no control/);
+        });
+      },
+      { prepare: withSharing },
+    ),
+  );
+
+  test(
+    'an outline stands upright',
     bench.withApp(async (app) => {
       await app.loadOutline('source', 'house.csv', '2,0\n2,2\n1,3\n0,2\n0,0\n');
       const isThere = (stats) => stats.ready && stats.source.m > 0;
@@ -74,4 +115,39 @@ withOneBackend('first-visit', (bench) => {
       assert.ok(handles.y1[1] < handles.x1[1], 'the boundary point is above the interior point');
     }),
   );
+
+  test(
+    'a picture opened as an outline is traced if that is the answer',
+    bench.withApp(async (app) => {
+      const picture = Buffer.from(await app.page.evaluate(boxPicture), 'base64');
+      const { source } = await app.session();
+      await app.loadFile('source', 'box.png', picture);
+      await app.walkTo(/^Cancel, button/);
+      await app.picture('picture-asked');
+      assert.deepEqual((await app.session()).source, source, 'nothing changes before the answer');
+      await app.press('Space');
+      await app.loadFile('source', 'box.png', picture);
+      await app.walkTo(/^Use as pattern, button/);
+      await app.press('Space');
+      await app.until('the picture is the pattern', (stats) => stats.image === 'box.png');
+      assert.deepEqual((await app.session()).source, source);
+      await app.loadFile('source', 'box.png', picture);
+      await app.walkTo(/^Trace its silhouette, button/);
+      await app.press('Space');
+      await app.atRest('the silhouette is the outline', (stats) => stats.ready && stats.source.m > 0);
+      assert.equal((await app.session()).source.outline.points.name, 'box');
+    }),
+  );
 });
+
+/** Runs in the page: a black box on white as PNG, in base64. */
+async function boxPicture() {
+  const picture = new OffscreenCanvas(300, 240);
+  const context = picture.getContext('2d');
+  context.fillStyle = 'white';
+  context.fillRect(0, 0, 300, 240);
+  context.fillStyle = 'black';
+  context.fillRect(60, 90, 120, 60);
+  const bytes = new Uint8Array(await (await picture.convertToBlob()).arrayBuffer());
+  return btoa(String.fromCharCode(...bytes));
+}

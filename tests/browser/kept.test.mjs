@@ -159,6 +159,29 @@ withOneBackend('kept', (bench) => {
   );
 
   test(
+    'an entry of the gallery is an entry of the history: back returns to own work',
+    bench.withApp(async (app) => {
+      await app.openSession({ texture_scale: 11 });
+      await app.until('own work', (stats) => stats.ready && stats.undo === 1);
+      const mine = await app.session();
+      await app.otherAddress(bench.address());
+      await app.walkTo(/^Gallery, button/);
+      await app.press('Space');
+      await app.walkTo(/^Square the circle: /);
+      await app.press('Enter');
+      const square = () => window.riemap.session().source.outline.preset === 'square';
+      await app.until('the square over the disk', (stats) => stats.ready && stats.undo === 2);
+      assert.ok(await app.page.evaluate(square));
+      await app.page.goBack();
+      await app.until('own work again', (stats) => stats.ready && stats.undo === 1);
+      assert.deepEqual(await app.session(), mine);
+      await app.page.goForward();
+      await app.until('the square again', (stats) => stats.ready && stats.undo === 2);
+      assert.ok(await app.page.evaluate(square));
+    }),
+  );
+
+  test(
     'a link of another person overwrites no own work, and back returns to it over a reload',
     bench.withApp(async (app) => {
       const start = await app.otherAddress(bench.address());

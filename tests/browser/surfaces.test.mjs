@@ -27,6 +27,20 @@ function wave(n, { loose = false, rough = false } = {}) {
   return Buffer.from(`${lines.join('\n')}\n`);
 }
 
+/** A square of 6 × 6 cells in space with two holes, of two cells and of one, as OBJ. */
+function holed() {
+  const lines = [];
+  for (let j = 0; j <= 6; j++) for (let i = 0; i <= 6; i++) lines.push(`v ${i} ${j} ${Math.sin(i) * Math.cos(j)}`);
+  const vertex = (i, j) => 1 + 7 * j + i;
+  const isHole = (i, j) => (j === 1 && (i === 1 || i === 2)) || (i === 4 && j === 4);
+  for (let j = 0; j < 6; j++) {
+    for (let i = 0; i < 6; i++) {
+      if (!isHole(i, j)) lines.push(`f ${vertex(i, j)} ${vertex(i + 1, j)} ${vertex(i + 1, j + 1)} ${vertex(i, j + 1)}`);
+    }
+  }
+  return Buffer.from(`${lines.join('\n')}\n`);
+}
+
 withEachBackend('surfaces', (bench) => {
   const { backend } = bench;
 
@@ -168,6 +182,40 @@ withEachBackend('surfaces', (bench) => {
       await app.openSession({ surface: null });
       const planar = await app.until('the plane is back', (stats) => stats.ready && stats.surface_ms === null);
       assert.ok(planar.target.triangles !== 800);
+    }),
+  );
+
+  test(
+    'any boundary loop becomes the outline, by a click in the picture or in the list, and holes can stay open',
+    bench.withApp(async (app) => {
+      await app.loadFile('target', 'holed.obj', holed());
+      const refused = await app.until('an error is shown', (stats) => stats.errors.length > 0);
+      assert.match(refused.errors.join(' '), /3 boundary loops/);
+      await app.walkTo(/^Repair it, button/);
+      await app.press('Space');
+      const around = (m) => app.atRest(`the outline has ${m} vertices`, (stats, count) => stats.ready && stats.target.m === count, m);
+      const repaired = await around(24);
+      assert.equal(repaired.loops[1].length, 3);
+      assertShowsSomething(await app.picture(`${backend}-surface-loops`));
+      await app.click(repaired.loops[1][1]);
+      await around(6);
+      assertShowsSomething(await app.picture(`${backend}-surface-loops-second`));
+      await app.walkTo(/^1: length/);
+      await app.press('Space');
+      const { triangles } = await around(24);
+      await app.walkTo(/^Open, choice/);
+      await app.press('Space');
+      const open = await app.atRest('the holes are open', (stats, all) => stats.ready && stats.triangles < all, triangles);
+      assert.equal(triangles - open.triangles, 10, 'a fan in each hole');
+      assert.ok(open.notes.some((note) => note.includes('open in the picture')), open.notes.join());
+      assertShowsSomething(await app.picture(`${backend}-surface-loops-open`));
+      const session = await app.session();
+      assert.equal(session.target.surface.holes, 'open');
+      await app.reload();
+      await app.atRest('it is there again', (stats, count) => stats.ready && stats.triangles === count, open.triangles);
+      assert.deepEqual(await app.session(), session);
+      await app.press('Control+z');
+      await app.atRest('the holes are filled again', (stats, all) => stats.ready && stats.triangles === all, triangles);
     }),
   );
 

@@ -19,8 +19,7 @@ const VECTORS = Uint8Array.of(
 
 /** What the browser lacks, as a key of `words`, or null. */
 async function missing() {
-  const unpacks = typeof DecompressionStream === "function";
-  if (!unpacks || typeof WebAssembly !== "object" || !WebAssembly.validate(VECTORS)) return "program";
+  if (typeof WebAssembly !== "object" || !WebAssembly.validate(VECTORS)) return "program";
   const context = document.createElement("canvas").getContext("webgl2");
   // released at once: browsers allow few contexts at a time
   context?.getExtension("WEBGL_lose_context")?.loseContext();
@@ -29,7 +28,7 @@ async function missing() {
   return adapter ? null : "graphics";
 }
 
-/** The program as a response; `cargo xtask dist` compresses it and notes its length. */
+/** The program as a response; `cargo xtask dist` packs it and notes its packed length. */
 async function program() {
   const bar = element("loading-bar");
   const packed = Number(bar?.dataset.bytes);
@@ -37,8 +36,23 @@ async function program() {
   const response = await fetch(new URL(name, import.meta.url));
   if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
   const counted = response.body.pipeThrough(counter(bar, packed));
-  const body = packed ? counted.pipeThrough(new DecompressionStream("gzip")) : counted;
+  const body = packed ? counted.pipeThrough(await unpacking()) : counted;
   return new Response(body, { headers: { "content-type": "application/wasm" } });
+}
+
+/** Unpacks what passes, while the rest is on its way. */
+async function unpacking() {
+  const [{ default: init, Unpacker }, program] = await Promise.all([
+    import("./unpacker.js"),
+    fetch(new URL("unpacker_bg.wasm", import.meta.url)),
+  ]);
+  // its bytes, not the response: some hosts do not know the type of the file
+  await init({ module_or_path: program.arrayBuffer() });
+  const unpacker = new Unpacker();
+  return new TransformStream({
+    transform: (chunk, controller) => controller.enqueue(unpacker.unpack(chunk)),
+    flush: (controller) => controller.enqueue(unpacker.finish()),
+  });
 }
 
 /** Shows the progress of the download; `total` is its length in bytes, 0 if unknown. */

@@ -10,5 +10,10 @@
     }
   };
   const wanted = [new URLSearchParams(location.search).get("theme"), chosen()].find((theme) => THEMES.includes(theme));
-  if (wanted) document.documentElement.dataset.theme = wanted;
+  const system = matchMedia("(prefers-color-scheme: light)");
+  const show = () => {
+    document.documentElement.dataset.theme = wanted ?? (system.matches ? "light" : "dark");
+  };
+  system.addEventListener("change", show);
+  show();
 }

@@ -35,9 +35,13 @@ pub enum Action {
     OpenOutline(Side),
     /// Show the dialog that opens an image whose outline is traced for this side.
     OpenTrace(Side),
-    /// Trace the outline of the image that has just become the texture.
+    /// Trace the outline of the image that was opened last.
     TraceImage,
-    /// Decline the offer to trace the texture image.
+    /// Make the image that was opened as an outline the texture.
+    UseImage,
+    /// Show or hide the texture coordinates over the outline of a surface's layout.
+    ShowUv(bool),
+    /// Decline the offer to trace the image.
     DismissOffer,
     /// Show the dialog that opens a texture image.
     OpenImage,
@@ -69,6 +73,8 @@ pub enum Action {
     Walks(WalkAction),
     /// Open the gallery, the figures or the list of shortcuts; start, advance or leave the tour.
     Explore(ExploreAction),
+    /// An action of the panel in which a lesson is made.
+    Lesson(LessonAction),
     /// Apply these preferences and store them for the next start.
     Prefer(Preferences),
     /// Store what the user has seen or unfolded.
@@ -96,17 +102,23 @@ impl Action {
             Self::New
             | Self::OpenKept(_)
             | Self::OpenSession
-            | Self::Explore(ExploreAction::Gallery | ExploreAction::Figures | ExploreAction::Tour(_)) => {
-                Touched::EVERYTHING
-            }
+            | Self::Explore(
+                ExploreAction::Gallery
+                | ExploreAction::Figures
+                | ExploreAction::Tour(_)
+                | ExploreAction::Step(_)
+                | ExploreAction::Again,
+            )
+            | Self::Lesson(LessonAction::Show(_) | LessonAction::Play) => Touched::EVERYTHING,
             Self::OpenOutline(_) | Self::OpenTrace(_) | Self::TraceImage | Self::PasteText(_) => Touched::ANOTHER_SHAPE,
-            Self::OpenImage => Touched::PATTERN,
+            Self::OpenImage | Self::UseImage => Touched::PATTERN,
             Self::Play(_) => Touched::POINTS,
             Self::Undo
             | Self::Redo
             | Self::SaveSession
             | Self::CopyLink
             | Self::Share(_)
+            | Self::ShowUv(_)
             | Self::DismissOffer
             | Self::Fit(_)
             | Self::QuickFix(_)
@@ -118,7 +130,13 @@ impl Action {
             | Self::Export(_)
             | Self::Walks(_)
             | Self::Invariants(_)
-            | Self::Explore(ExploreAction::Shortcuts | ExploreAction::Close | ExploreAction::LeaveTour { .. })
+            | Self::Explore(
+                ExploreAction::Shortcuts
+                | ExploreAction::Close
+                | ExploreAction::CardPlots(_)
+                | ExploreAction::LeaveTour { .. },
+            )
+            | Self::Lesson(_)
             | Self::Prefer(_)
             | Self::Recall(_)
             | Self::TogglePanels
@@ -194,13 +212,52 @@ pub enum ExploreAction {
     Shortcuts,
     /// Close the window of the gallery, the figures or the shortcuts.
     Close,
-    /// Go to this step of the tour, counted from 0; starts the tour if it is not running.
+    /// Go to this step of the guided tour, counted from 0; starts the tour if it is not running.
     Tour(usize),
-    /// End the tour.
+    /// Go to this step of the tour or the lesson in progress.
+    Step(usize),
+    /// Show the step in progress once more, with its motions.
+    Again,
+    /// Show the plots on the card in place of the words, or the words again.
+    CardPlots(bool),
+    /// End the tour or the lesson.
     LeaveTour {
         /// Whether the session of the last step stays; otherwise the session from before the tour is restored.
         keeps: bool,
     },
+}
+
+/// The actions of the panel in which a lesson is made. Steps are counted from 0; one that does not exist changes nothing.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum LessonAction {
+    /// Show the panel.
+    Open,
+    /// Hide it; the draft stays.
+    Close,
+    /// Set the title.
+    Title(String),
+    /// Set the caption of a step.
+    Caption(usize, String),
+    /// Append the present picture as a step.
+    Add,
+    /// Put the present picture in place of a step's.
+    Renew(usize),
+    /// Show the picture of a step.
+    Show(usize),
+    /// Exchange a step and the next one.
+    Swap(usize),
+    /// Delete a step.
+    Delete(usize),
+    /// Take the last deletion or replacement back.
+    Restore,
+    /// Play the draft.
+    Play,
+    /// Save the draft as a file.
+    Save,
+    /// Copy the link that plays the draft.
+    CopyLink,
+    /// Show the dialog that opens a lesson's file in place of the draft.
+    OpenFile,
 }
 
 /// The kinds of plots.
@@ -212,7 +269,7 @@ pub enum PlotKind {
     /// The harmonic measures of both sides.
     Measure,
     /// The boundary reparameterisation.
-    Reparameterisation,
+    Reparameterization,
 }
 
 /// The actions of the plots' switches.

@@ -101,6 +101,8 @@ pub struct HandleState {
     pub probe: Option<Probe>,
     /// While this circle is dragged: from the pointer to its center when the drag began.
     pub probe_grip: Option<Vec2>,
+    /// Whether this circle has the keyboard focus.
+    pub is_probe_focused: bool,
     /// The pulsing dot and the start of its pulse, in seconds.
     pulse: Option<(Handle, f64)>,
     /// Whether a dot was ever dragged or focused; from then on the hint is not shown.

@@ -1,6 +1,6 @@
-//! Keyboard control of the pictures: Tab focuses dots and viewports, arrow keys move the focused one.
+//! Keyboard control of the pictures: Tab focuses dots, the probe and viewports, arrow keys move the focused one.
 //!
-//! An interior dot moves on the screen, a boundary dot along its boundary (right and up: counter-clockwise);
+//! An interior dot and the probe move on the screen, a boundary dot along its boundary (right and up: counter-clockwise);
 //! Shift makes the steps ten times smaller. In a viewport the arrow keys move the camera, `+` and `-` zoom, `0` fits.
 
 use crate::app::input::handles::{GRAB_RADIUS, Handle, HandleKind, HandleState};
@@ -27,6 +27,18 @@ pub enum KeyStep {
     Boundary(f64),
 }
 
+/// Scrolls to the control that has just got the keyboard focus, if it is in the scrolled content of `ui` and not wholly
+/// visible. To be called after the content; a control outside of it is never clipped in these columns.
+pub fn follow_focus(ui: &Ui) {
+    let focused = ui.memory(egui::Memory::focused);
+    let reached = focused.and_then(|id| ui.ctx().read_response(id)).filter(egui::Response::gained_focus);
+    let Some(control) = reached else { return };
+    let is_within = ui.min_rect().x_range().contains(control.rect.center().x);
+    if is_within && control.layer_id == ui.layer_id() && control.interact_rect != control.rect {
+        ui.scroll_to_rect(control.rect, None);
+    }
+}
+
 /// Makes a side's dots focusable by Tab; returns the step of the focused one. `places` are the screen positions of the
 /// interior and the boundary dot.
 pub fn of_dots(ui: &Ui, side: Side, places: [Option<Pos2>; 2], handles: &mut HandleState) -> Option<KeyStep> {
@@ -47,6 +59,19 @@ pub fn of_dots(ui: &Ui, side: Side, places: [Option<Pos2>; 2], handles: &mut Han
         }
     }
     key_step
+}
+
+/// Makes the circle of the probe focusable by Tab; returns the step of its center on the screen, in points.
+pub fn of_probe(ui: &Ui, place: Pos2, handles: &mut HandleState) -> Option<Vec2> {
+    let station = Rect::from_center_size(place, Vec2::splat(2.0 * GRAB_RADIUS));
+    let response = ui.interact(station, Id::unique("probe"), Sense::focusable_noninteractive());
+    response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, tr(key::probe())));
+    handles.is_probe_focused = response.has_focus();
+    if !handles.is_probe_focused {
+        return None;
+    }
+    let [coarse, fine] = held_arrows(ui, &response);
+    Some(STEPS[0] * coarse + STEPS[1] * fine).filter(|step| *step != Vec2::ZERO)
 }
 
 fn steps(kind: HandleKind, [coarse, fine]: [Vec2; 2]) -> KeyStep {

@@ -86,11 +86,6 @@ pub fn full_screen_button(ui: &mut Ui, size: egui::Vec2, ink: egui::Color32) -> 
     Some(response)
 }
 
-/// The message when the graphics device is lost.
-pub fn graphics_lost(reason: &str) -> Message {
-    key::graphics_device_lost(reason)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

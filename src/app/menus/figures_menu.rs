@@ -9,10 +9,11 @@ use crate::figures::{Detail, Figure, Scene};
 use crate::language::{self, key, say, tr};
 use crate::model::shape::Shape;
 use crate::session::{Command, Session, SurfaceShape};
-use egui::{PopupCloseBehavior, RichText, Ui};
+use egui::{PopupCloseBehavior, RichText, Stroke, Ui};
 use std::sync::LazyLock;
 
-/// Scenes per row: the four variants of Figure 8 fit into one row, the low resolution above the high one.
+/// Scenes per row: the four variants of Figure 8 fit into one row, the low resolution above the high one. Several rows
+/// differ in the resolution, which is shown above each.
 const SCENES_IN_A_ROW: usize = 4;
 
 /// The width of the list where there is room, in points.
@@ -62,7 +63,11 @@ fn entry(ui: &mut Ui, figure: Figure, scenes: &[Scene], actions: &mut Actions) {
         return;
     }
     ui.label(RichText::new(title).color(Palette::of(ui.visuals()).weak)).on_hover_text(tooltip);
+    let has_rows = scenes.len() > SCENES_IN_A_ROW;
     for row in scenes.chunks(SCENES_IN_A_ROW) {
+        if let Some(scene) = row.first().filter(|_| has_rows) {
+            ui.label(RichText::new(resolution(&scene.session)).small().color(Palette::of(ui.visuals()).weak));
+        }
         ui.horizontal_wrapped(|ui| {
             for scene in row {
                 scene_button(ui, figure, scene, actions);
@@ -74,8 +79,9 @@ fn entry(ui: &mut Ui, figure: Figure, scenes: &[Scene], actions: &mut Actions) {
 
 fn scene_button(ui: &mut Ui, figure: Figure, scene: &Scene, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
-    let button =
-        egui::Button::new(RichText::new(say(&scene.label.into())).small().color(palette.text)).fill(palette.control);
+    let button = egui::Button::new(RichText::new(say(&scene.label.into())).small().color(palette.text))
+        .fill(palette.control)
+        .stroke(Stroke::new(1.0, palette.border));
     if ui.add(button).on_hover_text(resolution(&scene.session)).clicked() {
         actions.push(Action::Session(Command::Open(Box::new(with_plots(figure, scene.session.clone())))));
         ui.close();

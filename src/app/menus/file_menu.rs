@@ -1,11 +1,11 @@
 //! The file menu: undo, redo, new, open, save, link, export, full screen, presentation; and its shortcuts.
 
-use crate::app::input::action::{Action, Actions, ExportAction, ShareAction};
+use crate::app::input::action::{Action, Actions, ExportAction, LessonAction, ShareAction};
 use crate::app::input::locks::menu_entry;
 use crate::app::input::presentation;
-use crate::app::theme::FINGER_HEIGHT;
 use crate::app::theme::text_metrics::{BELOW_BAR, scroll_beyond};
 use crate::app::theme::widgets::drop_down;
+use crate::app::theme::{FINGER_HEIGHT, suits_fingers};
 use crate::language::{Label, key, say, tr};
 use crate::model::persistence::Persistence;
 use crate::model::persistence::visits::Visits;
@@ -29,16 +29,17 @@ const LINK_TOOLTIP: Label = key::link_tooltip();
 const EXPORT_TOOLTIP: Label = key::export_tooltip();
 
 /// A button that opens the menu.
-pub fn menu_button(ui: &mut Ui, persistence: &Persistence, actions: &mut Actions) {
+pub fn menu_button(ui: &mut Ui, persistence: &Persistence, can_step: [bool; 2], actions: &mut Actions) {
     drop_down(ui, tr(key::file()), PopupCloseBehavior::CloseOnClick, |ui| {
         ui.set_width(190.0);
-        scroll_beyond(ui, BELOW_BAR, |ui| content(ui, persistence, actions));
+        scroll_beyond(ui, BELOW_BAR, |ui| content(ui, persistence, can_step, actions));
     });
 }
 
-fn content(ui: &mut Ui, persistence: &Persistence, actions: &mut Actions) {
-    for (entry, enabled, action) in entries(persistence, ui.ctx()) {
-        let shortcut = entry.shortcut.map(|shortcut| ui.ctx().format_shortcut(&shortcut)).unwrap_or_default();
+fn content(ui: &mut Ui, persistence: &Persistence, can_step: [bool; 2], actions: &mut Actions) {
+    for (entry, enabled, action) in entries(can_step, ui.ctx()) {
+        let shortcut = entry.shortcut.filter(|_| !suits_fingers(ui));
+        let shortcut = shortcut.map(|shortcut| ui.ctx().format_shortcut(&shortcut)).unwrap_or_default();
         let button =
             egui::Button::new(tr(entry.label)).shortcut_text(shortcut).min_size(egui::vec2(190.0, FINGER_HEIGHT));
         if menu_entry(ui, enabled, button, entry.tooltip, &action) {
@@ -85,16 +86,16 @@ struct Entry {
     shortcut: Option<KeyboardShortcut>,
 }
 
-fn entries(persistence: &Persistence, context: &Context) -> Vec<(Entry, bool, Action)> {
+fn entries([can_undo, can_redo]: [bool; 2], context: &Context) -> Vec<(Entry, bool, Action)> {
     let entry = |label, tooltip, shortcut| Entry { label, tooltip, shortcut };
-    let history = persistence.history();
     let mut entries = vec![
-        (entry(key::undo(), key::undo_tooltip(), Some(UNDO)), history.can_undo(), Action::Undo),
-        (entry(key::redo(), key::redo_tooltip(), Some(REDO)), history.can_redo(), Action::Redo),
+        (entry(key::undo(), key::undo_tooltip(), Some(UNDO)), can_undo, Action::Undo),
+        (entry(key::redo(), key::redo_tooltip(), Some(REDO)), can_redo, Action::Redo),
         (entry(key::new_session(), key::new_session_tooltip(), None), true, Action::New),
         (entry(key::open(), key::open_session_tooltip(), None), true, Action::OpenSession),
         (entry(key::save_session(), key::save_session_tooltip(), Some(SAVE)), true, Action::SaveSession),
         (entry(key::share_link(), LINK_TOOLTIP, None), true, Action::Share(ShareAction::Open)),
+        (entry(key::make_lesson(), key::make_lesson_tooltip(), None), true, Action::Lesson(LessonAction::Open)),
         (entry(key::open_export(), EXPORT_TOOLTIP, Some(EXPORT)), true, Action::Export(ExportAction::Open)),
     ];
     if platform::has_full_screen() {

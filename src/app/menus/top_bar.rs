@@ -68,6 +68,8 @@ fn wordmark_font() -> FontId {
 pub struct TopBar<'a> {
     pub model: &'a Model,
     pub persistence: &'a Persistence,
+    /// Whether there is something to undo and to redo.
+    pub can_step: [bool; 2],
     pub preferences: Preferences,
     /// Whether the layout is a phone's.
     pub narrow: bool,
@@ -114,14 +116,14 @@ impl TopBar<'_> {
     }
 
     fn left(self, ui: &mut Ui, extras: &[Extra], actions: &mut Actions) {
-        file_menu::menu_button(ui, self.persistence, actions);
+        file_menu::menu_button(ui, self.persistence, self.can_step, actions);
         for side in Side::BOTH.into_iter().filter(|_| self.has_shapes) {
             guarded(ui, Control::Outline, |ui| shapes::menu_button(ui, words::side(side), side, self.model, actions));
         }
-        let history = self.persistence.history();
+        let [can_undo, can_redo] = self.can_step;
         for (icon, enabled, name, tooltip, action) in [
-            (Icon::Undo, history.can_undo(), key::undo(), key::undo_tooltip(), Action::Undo),
-            (Icon::Redo, history.can_redo(), key::redo(), key::redo_tooltip(), Action::Redo),
+            (Icon::Undo, can_undo, key::undo(), key::undo_tooltip(), Action::Undo),
+            (Icon::Redo, can_redo, key::redo(), key::redo_tooltip(), Action::Redo),
         ] {
             if icon_button(ui, icon, enabled, tr(name), tr(tooltip)).clicked() {
                 actions.push(action);

@@ -6,13 +6,14 @@ use crate::app::input::action::{Action, Actions};
 use crate::app::language::words;
 use crate::app::theme::Palette;
 use crate::app::theme::explained::explained_heading;
+use crate::app::theme::number_field::{number_field, spoken};
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::language::{Label, decimal, key, number, say, tr};
 use crate::model::Model;
 use crate::model::overlays::invariants::{InvariantsAction, SideInvariants};
 use crate::worker::{FoundInvariants, Number};
-use egui::{DragValue, Grid, RichText, Ui, WidgetInfo};
+use egui::{Grid, RichText, Ui, WidgetInfo};
 
 /// Measures beyond this number of arcs are not listed.
 const MOST_ARCS: usize = 12;
@@ -52,10 +53,10 @@ fn marks(ui: &mut Ui, side: Side, asked: &SideInvariants, wanted: &mut Vec<Invar
     let mut new = old;
     ui.horizontal_wrapped(|ui| {
         for (k, mark) in new.iter_mut().enumerate() {
-            let drag = DragValue::new(mark).speed(MARK_SPEED).range(0.0..=1.0).max_decimals(6);
+            let drag = number_field(mark).speed(MARK_SPEED).range(0.0..=1.0).max_decimals(6);
             let name = say(&key::mark(k + 1));
             let value = old[k];
-            ui.add(drag).widget_info(|| WidgetInfo::slider(true, value, &name));
+            spoken(ui.add(drag), &name, value);
         }
     });
     if new != old {
@@ -78,8 +79,8 @@ fn second_point(ui: &mut Ui, side: Side, asked: &SideInvariants, model: &Model, 
     ui.horizontal_wrapped(|ui| {
         for (name, coordinate) in [("x", &mut new.x), ("y", &mut new.y)] {
             let value = *coordinate;
-            let drag = DragValue::new(coordinate).speed(speed).max_decimals(8).prefix(format!("{name} "));
-            ui.add(drag).widget_info(|| WidgetInfo::slider(true, value, name));
+            let drag = number_field(coordinate).speed(speed).max_decimals(8).prefix(format!("{name} "));
+            spoken(ui.add(drag), name, value);
         }
     });
     if new != old && new.is_finite() {

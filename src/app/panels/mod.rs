@@ -3,6 +3,7 @@
 //! | content | file |
 //! |---|---|
 //! | the column of controls | `side_panel`, `surface_panel`, `play_panel` |
+//! | the boundary loops of a surface | `loops_panel` |
 //! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `invariants_panel` |
 //! | the welcome of the first visit | `welcome` |
 //! | the placement of the texture's picture | `picture_panel` |
@@ -14,6 +15,7 @@ mod advanced;
 pub mod header;
 mod interpretation;
 pub mod invariants_panel;
+mod loops_panel;
 pub mod method;
 pub mod offer;
 mod picture_panel;

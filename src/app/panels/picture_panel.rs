@@ -2,14 +2,17 @@
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::picture_placing;
+use crate::app::theme::number_field::{number_field, spoken};
 use crate::geometry::{PICTURE_MIDDLE, PICTURE_SIZE, PICTURE_TURN, PicturePlacement};
 use crate::language::{Label, key, tr};
 use crate::model::Model;
 use crate::session::Command;
-use egui::{DragValue, Ui};
+use egui::Ui;
 use std::ops::RangeInclusive;
 
 const PERCENT: f64 = 100.0;
+/// Between the fields, in points: with the usual 8, the German words made the column wider than its panel.
+const GAPS: [f32; 2] = [5.0, 6.0];
 
 /// Shows the controls; the switch only where the picture lies over an outline.
 pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
@@ -33,7 +36,7 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
 /// Four numbers in two rows; values that are not edited stay as they are.
 fn fields(ui: &mut Ui, old: PicturePlacement) -> PicturePlacement {
     let mut new = old;
-    egui::Grid::new("picture placement").num_columns(4).show(ui, |ui| {
+    egui::Grid::new("picture placement").num_columns(4).spacing(GAPS).show(ui, |ui| {
         let percent = |range: &RangeInclusive<f64>| PERCENT * range.start()..=PERCENT * range.end();
         let of_side = percent(&PICTURE_MIDDLE);
         field(ui, [key::picture_across(), key::picture_across_tooltip()], (&mut new.middle.x, PERCENT), &of_side, " %");
@@ -59,8 +62,9 @@ fn field(
 ) {
     let name = ui.label(tr(label)).on_hover_text(tr(tooltip));
     let mut shown = *value * unit;
-    let number = DragValue::new(&mut shown).range(range.clone()).speed(0.5).max_decimals(1).suffix(suffix);
-    if ui.add(number).labelled_by(name.id).on_hover_text(tr(tooltip)).changed() {
+    let number = number_field(&mut shown).range(range.clone()).speed(0.5).max_decimals(1).suffix(suffix);
+    let changed = ui.add(number).labelled_by(name.id).on_hover_text(tr(tooltip));
+    if spoken(changed, tr(label), shown).changed() {
         *value = shown / unit;
     }
 }

@@ -59,6 +59,7 @@ fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
 
 /// The buttons for a custom outline: three pens, pasting, tracing, opening a file.
 fn by_hand(ui: &mut Ui, side: Side, actions: &mut Actions) {
+    let palette = Palette::of(ui.visuals());
     let draw = |pen| Action::Edit(EditAction::Draw(side, pen));
     let ways = [
         (tr(key::draw_freehand()), key::draw_freehand_tooltip(), draw(Pen::Freehand)),
@@ -69,7 +70,7 @@ fn by_hand(ui: &mut Ui, side: Side, actions: &mut Actions) {
         (tr(key::open_file()), key::open_shape_tooltip(), Action::OpenOutline(side)),
     ];
     for (label, tooltip, action) in ways {
-        let button = egui::Button::new(label).frame_when_inactive(true);
+        let button = egui::Button::new(label).fill(palette.control).stroke(Stroke::new(1.0, palette.border));
         if menu_entry(ui, true, button, tooltip, &action) {
             actions.push(action);
             ui.close();
@@ -114,7 +115,14 @@ fn cell(ui: &mut Ui, shown: PresetShape, selected: bool) -> Response {
             let points = picture(ui.ctx(), preset).iter().map(|p| frame.center() + 25.0 * p.to_vec2()).collect();
             ui.painter().add(Shape::closed_line(points, Stroke::new(1.5, ink)));
         }
-        PresetShape::Surface(preset) => surface_picture(ui, preset, frame, [palette.raised, ink]),
+        PresetShape::Surface(preset) => {
+            let colours = match (ui.visuals().dark_mode, selected) {
+                (true, _) => [palette.raised, ink],
+                (false, true) => [palette.weak, palette.on_accent],
+                (false, false) => [palette.weak, palette.border],
+            };
+            surface_picture(ui, preset, frame, colours);
+        }
     }
     let weak = if selected { palette.on_accent } else { palette.weak };
     let caption = rect.center_bottom() - vec2(0.0, 11.0);

@@ -37,6 +37,8 @@ pub struct Column<'a> {
     pub image_name: Option<&'a str>,
     /// Whether the advanced controls are unfolded.
     pub advanced: bool,
+    /// Whether the texture coordinates of a surface's layout are shown.
+    pub uv: bool,
     /// Whether the plots have a place of their own beside the column: a tab of a phone's sheet.
     pub in_sheet: bool,
 }
@@ -48,6 +50,9 @@ pub fn show(ui: &mut Ui, model: &Model, player: &Player, column: Column<'_>, act
     }
     guarded(ui, Control::Pattern, |ui| texture(ui, model, column.image_name, actions));
     guarded(ui, Control::Colours, |ui| shown(ui, model, actions));
+    if model.abilities().has_layout() {
+        layout(ui, column.uv, actions);
+    }
     guarded_by(ui, Touched::POINTS, |ui| play_panel::show(ui, model, player, actions));
     if !column.in_sheet {
         guarded(ui, Control::Plots, |ui| plots(ui, model, actions));
@@ -73,6 +78,14 @@ fn shown(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     let mesh = ui.checkbox(&mut wireframe, tr(key::mesh()));
     if mesh.on_hover_text(tr(key::mesh_tooltip())).changed() {
         actions.push(Action::Session(Command::SetWireframe(wireframe)));
+    }
+}
+
+/// The texture coordinates of a surface over an outline; that changes no session.
+fn layout(ui: &mut Ui, mut uv: bool, actions: &mut Actions) {
+    explained_heading(ui, tr(key::uv_layout()), key::explain_uv());
+    if ui.checkbox(&mut uv, tr(key::uv_grid())).on_hover_text(tr(key::explain_uv())).changed() {
+        actions.push(Action::ShowUv(uv));
     }
 }
 

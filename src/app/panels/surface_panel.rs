@@ -4,6 +4,7 @@ use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::{Control, guarded, menu_entry};
 use crate::app::language::words;
 use crate::app::language::words::grouped;
+use crate::app::panels::loops_panel;
 use crate::app::theme::Palette;
 use crate::app::theme::explained::{explained_heading, group_heading};
 use crate::app::theme::widgets::captioned_slider;
@@ -31,6 +32,7 @@ pub fn show(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
         let weak = Palette::of(ui.visuals()).weak;
         ui.add(Label::new(RichText::new(tr(explained)).small().color(weak)).wrap()).on_hover_text(tr(MAP_TOOLTIP));
     }
+    loops_panel::show(ui, side, model, actions);
     let back = Action::Session(Command::CloseSurface(side));
     if menu_entry(ui, true, Button::new(tr(key::back_plane())), key::back_plane_tooltip(), &back) {
         actions.push(back);

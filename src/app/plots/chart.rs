@@ -82,17 +82,17 @@ impl<'a> Chart<'a> {
         let lines: Vec<_> = match kind {
             PlotKind::Kernel => in_inks(&curves.kernel, theme),
             PlotKind::Measure => in_inks(&curves.measure, theme),
-            PlotKind::Reparameterisation => vec![(&curves.reparameterisation, MAP_INKS[theme][0])],
+            PlotKind::Reparameterization => vec![(&curves.reparameterisation, MAP_INKS[theme][0])],
         };
         let exact = match (kind, exact) {
             (PlotKind::Measure, Some(exact)) => exact.measure.as_ref().into_array().to_vec(),
-            (PlotKind::Reparameterisation, Some(exact)) => vec![&exact.reparameterisation],
+            (PlotKind::Reparameterization, Some(exact)) => vec![&exact.reparameterisation],
             _ => Vec::new(),
         };
         let overlays = match kind {
             PlotKind::Kernel => &[][..],
             PlotKind::Measure => &overlays.measure,
-            PlotKind::Reparameterisation => &overlays.reparameterisation,
+            PlotKind::Reparameterization => &overlays.reparameterisation,
         };
         let logarithmic = logarithmic && kind == PlotKind::Kernel;
         let range = match kind {
@@ -148,7 +148,7 @@ impl<'a> Chart<'a> {
 
     fn x_label(&self) -> String {
         match self.kind {
-            PlotKind::Reparameterisation => say(&key::arc_length_of_side(words::side_within(self.mapped))),
+            PlotKind::Reparameterization => say(&key::arc_length_of_side(words::side_within(self.mapped))),
             _ => String::from(tr(key::arc_length_y_length())),
         }
     }
@@ -157,7 +157,7 @@ impl<'a> Chart<'a> {
         let label = match self.kind {
             PlotKind::Kernel => String::from(tr(key::psi_length())),
             PlotKind::Measure => String::from("ω"),
-            PlotKind::Reparameterisation => words::side_within(self.mapped.other()).to_owned(),
+            PlotKind::Reparameterization => words::side_within(self.mapped.other()).to_owned(),
         };
         let axis = axis(AxisHints::new_y(), palette, label).label_spacing(14.0..=20.0).min_thickness(30.0);
         let logarithmic = self.logarithmic;
@@ -206,7 +206,7 @@ impl<'a> Chart<'a> {
         let mut entries: Vec<Entry> = (!self.exact.is_empty()).then_some(exact).into_iter().collect();
         entries.extend(self.overlays.iter().rev().map(overlay));
         entries.dedup_by_key(|entry| entry.name);
-        if self.kind == PlotKind::Reparameterisation && !entries.is_empty() {
+        if self.kind == PlotKind::Reparameterization && !entries.is_empty() {
             entries.insert(0, map(self.lines[0].1));
         }
         entries
@@ -232,7 +232,7 @@ impl<'a> Chart<'a> {
 
     fn add_marks(&self, plot: &mut PlotUi, marked: PerSide<f64>, palette: &Palette) {
         let PerSide { source, target } = marked;
-        if self.kind == PlotKind::Reparameterisation {
+        if self.kind == PlotKind::Reparameterization {
             let (x, y) = if self.mapped == Side::Source { (source, target) } else { (target, source) };
             plot.vline(VLine::new("", x).color(palette.weak).width(1.0).allow_hover(false));
             add_dot(plot, [x, y], self.lines[0].1);
@@ -247,7 +247,7 @@ impl<'a> Chart<'a> {
     /// The side whose curve is nearest to the pointer in y, and the arc length at the pointer.
     fn pointed(&self, transform: &PlotTransform, pointer: Pos2) -> (Side, f64) {
         let x = transform.value_from_position(pointer).x.clamp(0.0, 1.0);
-        if self.kind == PlotKind::Reparameterisation {
+        if self.kind == PlotKind::Reparameterization {
             return (self.mapped, x);
         }
         let distance = |curve: &Curve| {
@@ -267,7 +267,7 @@ pub fn values(kind: PlotKind, curves: &Curves, at: PerSide<f64>) -> PerSide<Stri
         match kind {
             PlotKind::Kernel => short(curves.kernel[side].at(x)),
             PlotKind::Measure => number(curves.measure[side].at(x), 3),
-            PlotKind::Reparameterisation => number(x, 3),
+            PlotKind::Reparameterization => number(x, 3),
         }
     })
 }
@@ -405,8 +405,8 @@ mod tests {
     #[test]
     fn every_curve_has_its_own_ink_and_its_line_in_the_legend() {
         let [fresh, precomputed] = DiskWay::ALL.map(|way| tr(Origin::Disk(way).name()));
-        assert_eq!(names(PlotKind::Reparameterisation, true), ["this map", "exact", fresh, precomputed]);
-        assert_eq!(names(PlotKind::Reparameterisation, false), ["this map", fresh, precomputed]);
+        assert_eq!(names(PlotKind::Reparameterization, true), ["this map", "exact", fresh, precomputed]);
+        assert_eq!(names(PlotKind::Reparameterization, false), ["this map", fresh, precomputed]);
         assert_eq!(names(PlotKind::Measure, true), ["exact", "random walks", fresh, precomputed]);
         assert_eq!(names(PlotKind::Kernel, true), [""; 0], "kernels have no overlays");
     }

@@ -6,8 +6,9 @@ use super::super::theme::widgets::{Segment, segmented};
 use super::chart::power_of_ten;
 use super::legend::{Entry, RADIUS, WIDTH, error_axis, with_legend};
 use crate::app::input::action::{Action, Actions, LadderAxis, LadderShown};
+use crate::app::language::words::grouped;
 use crate::figures::{LadderMethod, LadderRow, LadderShape, Reference};
-use crate::language::{self, Label, key, say, tr};
+use crate::language::{self, Label, key, number, say, tr};
 use egui::{Color32, ComboBox, RichText, Ui};
 use egui_plot::{AxisHints, GridInput, GridMark, Line, LineStyle, Points};
 
@@ -51,9 +52,9 @@ pub fn ladder_chart(ui: &mut Ui, rows: &[LadderRow], shown: LadderShown, actions
     let axis = AxisHints::new_x().label(tr(axis_label(shown.axis)).to_owned());
     with_legend(ui, "ladder", &entries, |ui, plot| {
         plot.grid_color(palette.border)
-            .x_grid_spacer(whole)
+            .x_grid_spacer(ones_twos_fives)
             .y_grid_spacer(pairs)
-            .custom_x_axes(vec![axis.formatter(|mark, _| power_of_ten(mark.value))])
+            .custom_x_axes(vec![axis.formatter(|mark, _| size(10_f64.powf(mark.value)))])
             .custom_y_axes(vec![error_axis(tr(key::error())).formatter(|mark, _| power_of_ten(mark.value))])
             .show(ui, |plot| {
                 for ((name, points, style), ink) in curves {
@@ -122,19 +123,27 @@ fn curves(rows: &[&LadderRow], method: LadderMethod, axis: LadderAxis) -> Vec<Na
     curves.into_iter().filter(|curve| !curve.1.is_empty()).collect()
 }
 
-/// A grid line at every power of ten.
+/// Grid lines at 1, 2 and 5 times the powers of ten: counts and times span two or three of these.
 #[allow(clippy::needless_pass_by_value, reason = "the plot hands it over")]
-fn whole(input: GridInput) -> Vec<GridMark> {
-    marks(input.bounds, 1)
+fn ones_twos_fives(input: GridInput) -> Vec<GridMark> {
+    let (low, high) = input.bounds;
+    let all =
+        (low.floor() as i64..=high.floor() as i64).flat_map(|k| [1.0, 2.0, 5.0_f64].map(|n| k as f64 + n.log10()));
+    // the smallest step decides whether labels have room
+    all.filter(|value| (low..=high).contains(value))
+        .map(|value| GridMark { value, step_size: 2.0_f64.log10() })
+        .collect()
+}
+
+/// A count or a time at a grid line.
+fn size(value: f64) -> String {
+    if value < 0.95 { number(value, (-value.log10()).ceil() as usize) } else { grouped(value.round() as usize) }
 }
 
 /// A grid line at every second power of ten.
 #[allow(clippy::needless_pass_by_value, reason = "the plot hands it over")]
 fn pairs(input: GridInput) -> Vec<GridMark> {
-    marks(input.bounds, 2)
-}
-
-fn marks((low, high): (f64, f64), step: i64) -> Vec<GridMark> {
-    let inside = (low.ceil() as i64..=high.floor() as i64).filter(|k| k % step == 0);
-    inside.map(|k| GridMark { value: k as f64, step_size: step as f64 }).collect()
+    let (low, high) = input.bounds;
+    let inside = (low.ceil() as i64..=high.floor() as i64).filter(|k| k % 2 == 0);
+    inside.map(|k| GridMark { value: k as f64, step_size: 2.0 }).collect()
 }

@@ -66,7 +66,7 @@ const KINDS: [Segment<PlotKind>; 3] = [
     Segment { value: PlotKind::Kernel, label: key::poisson_kernel(), tooltip: key::poisson_kernel_tooltip() },
     Segment { value: PlotKind::Measure, label: key::harmonic_measure(), tooltip: key::harmonic_measure_tooltip() },
     Segment {
-        value: PlotKind::Reparameterisation,
+        value: PlotKind::Reparameterization,
         label: key::reparameterisation(),
         tooltip: key::reparameterisation_tooltip(),
     },
@@ -296,7 +296,7 @@ impl Plots {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let values = marked.and_then(|at| Some(chart::values(kind.value, self.curves()?, at)));
                 // one curve belongs to both sides
-                let is_map = kind.value == PlotKind::Reparameterisation;
+                let is_map = kind.value == PlotKind::Reparameterization;
                 if is_map && values.is_none() {
                     ui.label(RichText::new(tr(key::this_map())).small().color(palette.weak));
                 }

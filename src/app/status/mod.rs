@@ -11,7 +11,7 @@ use crate::app::theme::widgets::caption_font;
 use crate::conformal::Side;
 use crate::language::{key, number, say, tr};
 use crate::model::{Model, PointedImage, SideKernel};
-use egui::{Align, Label, Layout, RichText, Ui};
+use egui::{Align, Layout, RichText, Ui};
 
 /// The bar of Q̄ from the top of its line, relative to the font's size: Inter's capitals begin at 0.24.
 const BAR_ABOVE: f32 = 0.1;
@@ -113,8 +113,9 @@ fn facts(
                 ui.label(weak(String::from(tr(words::PENDING)))).on_hover_text(tr(words::PENDING_TOOLTIP));
             }
             let times = say(&key::frame_times(tenths(compute), tenths(meter.draw_ms)));
-            ui.add(Label::new(weak(times)).truncate())
-                .on_hover_text(format!("{}\n\n{split}", tr(words::FRAME_TOOLTIP)));
+            if text_width(ui, &times, caption_font(ui)) <= ui.available_width() {
+                ui.label(weak(times)).on_hover_text(format!("{}\n\n{split}", tr(words::FRAME_TOOLTIP)));
+            }
         }
         if let (Some(rate), false) = (meter.frames_per_second(), narrow) {
             ui.label(weak(say(&key::fps(f64::from(rate.round()))))).on_hover_text(tr(key::fps_tooltip()));

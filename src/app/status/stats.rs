@@ -172,6 +172,8 @@ pub struct ScreenStats {
     pub image: Option<String>,
     /// Where the handles are.
     pub handles: HandlePositions,
+    /// Where the numbers of the boundary loops are, on each side that is a surface with several.
+    pub loops: [Vec<[f32; 2]>; 2],
     /// The outline that is being reshaped.
     pub editing: Option<EditingStats>,
     /// The plots.
@@ -361,7 +363,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 46] = [
+    const KEYS: [&str; 47] = [
         "backend",
         "boundary_checksum",
         "cauchy_green",
@@ -386,6 +388,7 @@ mod tests {
         "image_of_mapped_point",
         "invariants",
         "kernels",
+        "loops",
         "marked_boundary",
         "measured_generation",
         "notes",

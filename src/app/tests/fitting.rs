@@ -160,7 +160,7 @@ fn a_tablet_has_one_plot_at_a_time_and_a_desk_all() {
         let mut screen = screen(size, Language::English);
         screen.key_press(Key::P);
         screen.run_steps(4);
-        let titles = ["Poisson kernel", "Harmonic measure", "Reparameterisation"];
+        let titles = ["Poisson kernel", "Harmonic measure", "Reparameterization"];
         assert_eq!(titles.iter().filter(|title| screen.query_by_label(title).is_some()).count(), expected);
     }
 }

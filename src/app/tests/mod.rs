@@ -6,6 +6,7 @@ mod first_visit;
 mod fitting;
 mod frame;
 mod language;
+mod lessons;
 mod locks;
 mod panels;
 mod playing;
@@ -281,7 +282,7 @@ fn the_key_p_opens_the_plots_and_closes_them() {
         harness.step();
         assert!(harness.state().stats().overlays.plots);
         if size[0] > theme::PHONE_WIDTH {
-            for title in ["Poisson kernel", "Harmonic measure", "Reparameterisation"] {
+            for title in ["Poisson kernel", "Harmonic measure", "Reparameterization"] {
                 harness.get_by_label(title);
             }
         }
@@ -336,7 +337,7 @@ fn pointing_at_a_plot_marks_the_boundary() {
     let mut harness = ready_app([1200.0, 800.0]);
     harness.key_press(egui::Key::P);
     harness.run_steps(2);
-    let title = harness.get_by_label("Reparameterisation").rect();
+    let title = harness.get_by_label("Reparameterization").rect();
     harness.hover_at(title.center_bottom() + egui::vec2(60.0, 60.0));
     harness.run_steps(3);
     let [_, target] = harness.state().stats().screen.plots.marked_boundary.unwrap();

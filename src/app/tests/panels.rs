@@ -5,10 +5,10 @@ use crate::app::input::preferences::Habit;
 use crate::app::panels::side_panel;
 use crate::app::panels::side_panel::Column;
 use crate::model::overlays::walks::WalkAction;
-use crate::session::{Colouring, Comparison, TextureKind};
+use crate::session::{Colouring, Comparison, Holes, SurfaceShape, SurfaceSpec, SurfaceState, TextureKind};
 
 /// The column with its advanced controls.
-const UNFOLDED: Column<'static> = Column { image_name: None, advanced: true, in_sheet: false };
+const UNFOLDED: Column<'static> = Column { image_name: None, advanced: true, uv: false, in_sheet: false };
 
 /// Clicks on `label` in the side panel and returns the emitted actions.
 pub fn click_in_panel(model: &Model, label: &str) -> Actions {
@@ -126,4 +126,27 @@ fn colourings_and_the_mesh_are_one_click_away() {
     ] {
         assert_eq!(click_in_panel(&model, label), [Action::Session(command)]);
     }
+}
+
+/// A square of 4 × 4 cells with a hole of one cell in the place of the target, repaired.
+fn holed_model() -> Model {
+    let shape = SurfaceShape::File { name: "holed.obj".into() };
+    let state = SurfaceState::new(SurfaceSpec::new(shape).with_repair(true));
+    let vertices = (0..25).map(|k| format!("v {} {} 0\n", k % 5, k / 5));
+    let corners = (0..16).filter(|&cell| cell != 5).map(|cell| 1 + cell / 4 * 5 + cell % 4);
+    let faces = corners.map(|a| format!("f {a} {} {} {}\n", a + 1, a + 6, a + 5));
+    let bytes = vertices.chain(faces).collect::<String>().into_bytes();
+    let session = Session::default().and([Command::SetSurface { side: Side::Target, surface: state.spec().clone() }]);
+    crate::model::scene::Offscreen::new(&session, [None, Some(bytes)].into(), 1.0).unwrap().into_model()
+}
+
+#[test]
+fn boundary_loops_open_holes_and_the_uv_grid_are_one_click_away() {
+    let model = holed_model();
+    let chosen = model.choose_outline(Side::Target, 1).unwrap();
+    assert_eq!(click_in_panel(&model, "2: length 4.0000, 4 vertices"), [Action::Session(chosen)]);
+    assert_eq!(click_in_panel(&model, "1: length 16.0000, 16 vertices"), [], "that is the outline");
+    let open = Command::SetHoles { side: Side::Target, holes: Holes::Open };
+    assert_eq!(click_in_panel(&model, "Open"), [Action::Session(open)]);
+    assert_eq!(click_in_panel(&model, "UV grid"), [Action::ShowUv(true)]);
 }

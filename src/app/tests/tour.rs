@@ -6,7 +6,9 @@ use crate::app::input::presentation;
 use crate::app::tests::{ready_app, step_until};
 use crate::conformal::Side;
 use crate::family::Path;
+use crate::language::Message;
 use crate::model::motion::PlayAction;
+use crate::platform::Event;
 use crate::session::{Command, Session};
 use egui::Key;
 use egui_kittest::Harness;
@@ -35,6 +37,23 @@ fn assert_room(screen: &Screen, what: &str) {
         let rect = screen.get_by_label(button).rect();
         assert!(whole.contains_rect(rect) && !pictures.intersects(rect), "{what}: {button} at {rect:?}");
     }
+}
+
+#[test]
+fn when_the_graphics_are_lost_the_tour_gives_back_the_own_session_and_the_map_is_said_to_be_kept() {
+    let mut screen = ready_app([1440.0, 900.0]);
+    let own = screen.state().model.session().clone();
+    go(&mut screen, 1);
+    assert_ne!(screen.state().model.session(), &own);
+    let mailbox = screen.state().workers.mailbox.clone();
+    mailbox.post(Event::GraphicsLost("unplugged".into()));
+    step_until(&mut screen, |app| app.messages.common.is_some());
+    assert_eq!(screen.state().model.session(), &own);
+    let said = screen.state().messages.common.as_ref().map(Message::english);
+    assert_eq!(
+        said.as_deref(),
+        Some("The graphics device was lost (unplugged). Start riemap again: the map and its undo steps are kept.")
+    );
 }
 
 #[test]
@@ -220,4 +239,88 @@ fn a_presentation_folds_the_controls_and_marks_the_pointer() {
     presentation::toggle(&screen.ctx);
     screen.run_steps(3);
     assert!(screen.query_by_label("Checker").is_some());
+}
+
+#[test]
+fn undo_in_the_tour_begins_the_step_anew_and_leaves_the_own_history_alone() {
+    let mut screen = ready_app([1200.0, 800.0]);
+    step_until(&mut screen, |app| app.persistence.history().can_undo() || app.model.is_ready());
+    let context = screen.ctx.clone();
+    let own = screen.state().session().clone().and([Command::SetTextureScale(13.0)]);
+    screen.state_mut().carry_out(&context, vec![Action::Session(Command::SetTextureScale(13.0))]);
+    step_until(&mut screen, |app| app.persistence.history().undo_count() == 1);
+    go(&mut screen, 1);
+    let begun = screen.state().session().clone();
+    screen.state_mut().carry_out(&context, vec![Action::Session(Command::SetTextureScale(40.0))]);
+    screen.run_steps(3);
+    for action in [Action::Redo, Action::Undo] {
+        screen.state_mut().carry_out(&context, vec![action]);
+        screen.run_steps(3);
+    }
+    assert_eq!(screen.state().session(), &begun);
+    screen.state_mut().explore(ExploreAction::LeaveTour { keeps: false });
+    step_until(&mut screen, |app| app.model.is_ready());
+    screen.run_steps(3);
+    let app = screen.state();
+    assert_eq!((app.session(), app.persistence.history().undo_count()), (&own, 1));
+    assert!(!app.persistence.history().can_redo());
+}
+
+#[test]
+fn arrow_keys_move_the_focused_probe_and_escape_leaves_it_before_the_tour() {
+    let mut screen = ready_app([1200.0, 800.0]);
+    go(&mut screen, 1);
+    step_until(&mut screen, |app| app.pictures.probe.is_some() && app.model.is_ready());
+    screen.get_by_label("circle with a cross, in the source").focus();
+    screen.run_steps(3);
+    let place = |screen: &Screen| {
+        let app = screen.state();
+        app.pictures.views.source.to_screen(app.input.handles.probe.unwrap().center)
+    };
+    let at = place(&screen);
+    screen.key_press(Key::ArrowUp);
+    screen.run_steps(3);
+    screen.key_press_modifiers(egui::Modifiers::SHIFT, Key::ArrowUp);
+    screen.run_steps(3);
+    let there = place(&screen);
+    assert!(there.distance(at - egui::vec2(0.0, 11.0)) < 0.1, "from {at} to {there}");
+    screen.key_press(Key::Escape);
+    screen.run_steps(3);
+    assert!(screen.state().windows.explore.is_touring());
+    screen.key_press(Key::Escape);
+    screen.run_steps(3);
+    assert!(!screen.state().windows.explore.is_touring());
+}
+
+#[test]
+fn where_no_motion_is_wanted_a_step_waits_until_the_user_asks_for_it() {
+    let mut screen = ready_app([1200.0, 800.0]);
+    screen.state_mut().windows.explore.is_calm = true;
+    go(&mut screen, 0);
+    step_until(&mut screen, |app| app.model.is_ready());
+    let begun = screen.state().session().clone();
+    // longer than the look at the picture before a motion
+    screen.run_steps(200);
+    assert!(!screen.state().player.is_playing() && *screen.state().session() == begun);
+    screen.get_by_label("Show").click();
+    step_until(&mut screen, |app| app.player.is_playing());
+    go(&mut screen, 3);
+    assert!(!screen.state().model.overlay_state().walks.is_running());
+    screen.get_by_label("Show").click();
+    screen.run_steps(3);
+    assert!(screen.state().model.overlay_state().walks.is_running());
+}
+
+#[test]
+fn where_the_plots_have_no_room_the_card_shows_them_on_request() {
+    let mut screen = ready_app([390.0, 844.0]);
+    go(&mut screen, 3);
+    assert!(screen.query_by_label("Measure").is_none());
+    let context = screen.ctx.clone();
+    for shown in [true, false] {
+        screen.state_mut().carry_out(&context, vec![Action::Explore(ExploreAction::CardPlots(shown))]);
+        screen.run_steps(3);
+        assert_eq!(screen.query_by_label("Measure").is_some(), shown);
+        assert_room(&screen, "with plots on the card");
+    }
 }

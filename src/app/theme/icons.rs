@@ -12,6 +12,10 @@ pub enum Icon {
     Redo,
     /// Three dots joined by two lines.
     Share,
+    /// An arrow upwards.
+    Up,
+    /// An arrow downwards.
+    Down,
 }
 
 /// The width of an icon's button for a mouse, in points.
@@ -44,6 +48,8 @@ fn lines(icon: Icon) -> Vec<Vec<Vec2>> {
         Icon::Undo => 1.0,
         Icon::Redo => -1.0,
         Icon::Share => return vec![vec![SHARED[1], SHARED[0], SHARED[2]]],
+        Icon::Up => return arrow(-1.0),
+        Icon::Down => return arrow(1.0),
     };
     let bow = (0..=8).map(|k| {
         let angle = std::f32::consts::PI * (k as f32 / 8.0 - 0.5);
@@ -54,4 +60,10 @@ fn lines(icon: Icon) -> Vec<Vec<Vec2>> {
     [shaft.collect::<Vec<_>>(), head.to_vec()]
         .map(|line| line.into_iter().map(|point| vec2(way * point.x, point.y)).collect())
         .into()
+}
+
+/// An arrow along the y axis.
+fn arrow(way: f32) -> Vec<Vec<Vec2>> {
+    let tip = vec2(0.0, 5.0 * way);
+    vec![vec![vec2(0.0, -5.0 * way), tip], vec![vec2(-3.5, 1.5 * way), tip, vec2(3.5, 1.5 * way)]]
 }

@@ -5,6 +5,7 @@
 
 pub mod explained;
 pub mod icons;
+pub mod number_field;
 pub mod text_metrics;
 pub mod widgets;
 
@@ -135,6 +136,16 @@ pub fn install(context: &egui::Context) {
     context.set_style_of(Theme::Light, style(&LIGHT, Visuals::light()));
 }
 
+/// Lets everything that would move by itself be at its end at once.
+pub fn end_animations(context: &egui::Context) {
+    context.all_styles_mut(|style| style.animation_time = 0.0);
+}
+
+/// Whether things may move by themselves.
+pub fn is_animated(ui: &egui::Ui) -> bool {
+    ui.style().animation_time > 0.0
+}
+
 /// Sets the row height for touch or for a mouse.
 pub fn suit_pointer(context: &egui::Context, fingers: bool) {
     let height = if fingers { FINGER_HEIGHT } else { ROW_HEIGHT };
@@ -165,6 +176,7 @@ fn style(palette: &Palette, visuals: Visuals) -> Style {
     style.spacing.button_padding = egui::vec2(11.0, 5.0);
     style.spacing.interact_size.y = ROW_HEIGHT;
     style.spacing.menu_margin = Margin::same(8);
+    style.spacing.window_margin = Margin::same(12);
     style.spacing.slider_rail_height = 4.0;
     style.spacing.icon_width = 16.0;
     style.spacing.icon_width_inner = 9.0;

@@ -4,7 +4,7 @@ use crate::app::input::handles::{DOT_RADIUS, GRAB_RADIUS, Handle, HandleKind, Ha
 use crate::app::input::locks::Locks;
 use crate::app::plots::Plots;
 use crate::app::theme::widgets::caption_font;
-use crate::app::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
+use crate::app::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette, is_animated};
 use crate::conformal::Side;
 use crate::language::{self, Label, Language, key, number, tr};
 use egui::emath::GuiRounding;
@@ -79,7 +79,7 @@ pub fn paint(ui: &Ui, painter: &Painter, handle: Handle, dot: Dot, handles: &Han
         HandleKind::Boundary => BOUNDARY_COLOUR,
     };
     let now = ui.input(|input| input.time);
-    if let Some(progress) = handles.pulse_of(handle, now) {
+    if let Some(progress) = handles.pulse_of(handle, now).filter(|_| is_animated(ui)) {
         let radius = DOT_RADIUS + 24.0 * progress;
         painter.circle_stroke(place, radius, Stroke::new(3.0 * (1.0 - progress), colour));
         ui.request_repaint();
@@ -87,7 +87,7 @@ pub fn paint(ui: &Ui, painter: &Painter, handle: Handle, dot: Dot, handles: &Han
     let raised = ui.ctx().animate_bool_with_time(
         ui.scope_id().with((handle.side, handle.symbol())),
         handles.is_raised(handle),
-        0.1,
+        if is_animated(ui) { 0.1 } else { 0.0 },
     );
     let radius = DOT_RADIUS + 3.0 * raised;
     painter.circle_filled(place + vec2(0.0, 1.0), radius + 3.0, Color32::from_black_alpha(70).gamma_multiply(strength));

@@ -12,6 +12,7 @@
 //! | moving the texture's picture | `picture_gestures` |
 //! | a small circle with a cross, and its image | `probe` |
 //! | uploads to the GPU and drawing | `gpu`, `gpu_extension`, `cells` |
+//! | the texture coordinates of a layout | `uv` |
 //! | the legend of triangle colors | `legend` |
 
 pub mod cells;
@@ -26,4 +27,5 @@ pub mod pictures;
 pub mod planar;
 pub mod probe;
 pub mod surface;
+pub mod uv;
 pub mod view;

@@ -148,6 +148,21 @@ impl Picture<&View, &OrbitView> {
         }
     }
 
+    /// Draws the boundary loops of a surface with several.
+    pub fn paint_loops(&self, ui: &Ui, side: Side, model: &Model) {
+        if let Self::Space(orbit) = self {
+            surface::loops::paint(ui, side, model, orbit);
+        }
+    }
+
+    /// The places of the numbers of a surface's boundary loops on the screen.
+    pub fn places_of_loops(&self, model: &Model, side: Side) -> Vec<Pos2> {
+        match self {
+            Self::Plane(_) => Vec::new(),
+            Self::Space(orbit) => surface::loops::places_of_numbers(side, model, orbit),
+        }
+    }
+
     /// Draws the mark at a fraction of the boundary's length.
     pub fn paint_boundary_mark(&self, ui: &Ui, side: Side, model: &Model, fraction: f64) {
         match self {

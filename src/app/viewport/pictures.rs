@@ -3,6 +3,7 @@
 use super::cells::CellUploads;
 use super::gpu::Gpu;
 use super::surface::OrbitView;
+use super::uv::UvGrid;
 use super::view::View;
 use crate::conformal::PerSide;
 use crate::model::{PointedImage, ProbeImage};
@@ -28,6 +29,8 @@ pub struct Pictures {
     /// The cameras of sides that are surfaces.
     pub orbits: PerSide<OrbitView>,
     pub cells: CellUploads,
+    /// The texture coordinates over the outline of a surface's layout.
+    pub uv: UvGrid,
     /// The map at the point under the pointer.
     pub pointed: Option<PointedImage>,
     /// The image of the probe.

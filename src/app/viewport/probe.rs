@@ -3,6 +3,8 @@
 use super::dots::paint_words;
 use super::view::View;
 use crate::app::input::handles::{GRAB_RADIUS, HandleState};
+use crate::app::input::keyboard_navigation;
+use crate::app::theme::Palette;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::language::{key, number, say};
@@ -14,6 +16,9 @@ const INK: Color32 = Color32::from_rgb(255, 214, 10);
 const RIM: Color32 = Color32::from_black_alpha(170);
 /// The widths of rim and ink, in points.
 const WIDTHS: [(f32, Color32); 2] = [(4.5, RIM), (2.5, INK)];
+/// The free space between the circle and the ring of the keyboard focus, in points.
+const FOCUS_GAP: f32 = 5.0;
+
 /// Whether the pointer is over the probe, and whether it holds it.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Contact {
@@ -21,7 +26,7 @@ pub struct Contact {
     pub is_held: bool,
 }
 
-/// Grabs, drags and releases the probe. Dots that lie over it come first.
+/// Grabs, drags and releases the probe, and moves it by the arrow keys while it has the keyboard focus. Dots that lie over it come first.
 pub fn interact(
     ui: &Ui,
     response: &Response,
@@ -50,16 +55,25 @@ pub fn interact(
         ui.set_cursor_icon(CursorIcon::Grabbing);
         handles.probe = model.probe_at(view.to_world(pointer + offset)).or(handles.probe);
     }
+    if let Some(step) = keyboard_navigation::of_probe(ui, place, handles) {
+        handles.probe = model.probe_at(view.to_world(place + step)).or(handles.probe);
+    }
     let is_held = handles.probe_grip.is_some();
     Contact { is_over: is_held || over.is_some(), is_held }
 }
 
-/// Draws the probe on the source.
-pub fn paint(ui: &Ui, view: &View, probe: Probe) {
+/// Draws the probe on the source, with a ring around it if it has the keyboard focus.
+pub fn paint(ui: &Ui, view: &View, probe: Probe, is_focused: bool) {
     let places =
         |points: &mut dyn Iterator<Item = DVec2>| -> Vec<Pos2> { points.map(|point| view.to_screen(point)).collect() };
     let arms = [DVec2::X, DVec2::Y].map(|axis| places(&mut probe.arm(axis)));
-    draw(&ui.painter_at(view.rect), &places(&mut probe.ring()), &arms, &places(&mut probe.corner().into_iter()));
+    let painter = ui.painter_at(view.rect);
+    draw(&painter, &places(&mut probe.ring()), &arms, &places(&mut probe.corner().into_iter()));
+    if is_focused {
+        let center = view.to_screen(probe.center);
+        let radius = center.distance(view.to_screen(probe.center + probe.radius * DVec2::X));
+        painter.circle_stroke(center, radius + FOCUS_GAP, Stroke::new(2.0, Palette::of(ui.visuals()).accent_soft));
+    }
 }
 
 /// Draws the probe's image on the target, with its size and turning in words.

@@ -1,8 +1,9 @@
 //! The windows: gallery, figures, list of keys and tour (`explore`); export (`exporting`); measurements (`reports`);
-//! the link (`share`).
+//! the link (`share`); the panel in which a lesson is made (`lesson`).
 
 pub mod explore;
 pub mod exporting;
+pub mod lesson;
 pub mod reports;
 pub mod share;
 
@@ -13,6 +14,7 @@ pub struct Windows {
     pub exporter: exporting::Exporter,
     pub reports: reports::Reports,
     pub share: share::Share,
+    pub lesson: lesson::LessonEditor,
 }
 
 impl Windows {

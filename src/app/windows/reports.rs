@@ -4,6 +4,7 @@
 //! Closing a window stops its measurements: no further row is requested, and the result in flight is dropped.
 
 use crate::app::input::action::{Action, Actions, LadderShown, Report};
+use crate::app::language::words::grouped;
 use crate::app::plots::{convergence_chart, ladder_chart};
 use crate::app::theme::Palette;
 use crate::app::theme::widgets::close_button;
@@ -198,7 +199,7 @@ impl Reports {
                     tr(language::preset(paper.domain)),
                     &[
                         here.m.to_string(),
-                        here.triangles.to_string(),
+                        grouped(here.triangles),
                         seconds(here.triangulation_s),
                         seconds(triangulation_s),
                         seconds(here.factorisation_s),
@@ -238,7 +239,7 @@ impl Reports {
                     &format!("{} → {}", tr(language::preset(source)), tr(language::preset(target))),
                     &[
                         format!("{}, {}", here.m[0], here.m[1]),
-                        here.triangles.to_string(),
+                        grouped(here.triangles),
                         milliseconds(here.source.matching_ms),
                         milliseconds(here.target.matching_ms),
                         milliseconds(matching_ms),

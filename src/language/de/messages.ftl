@@ -12,7 +12,7 @@ sentence_and = { $first }. { $second }
 address_unknown = In der Adresse steht „{ $asked }“, aber { $option } kennt nur: { $known }.
 address_unknown_and_more = In der Adresse steht „{ $asked }“ und { $more } weitere, aber { $option } kennt nur: { $known }.
 address_keeps = Die Adresse der Seite hält „{ $control }“ fest.
-graphics_device_lost = Das Grafikgerät ging verloren ({ $reason }). riemap neu starten: Die Abbildung bleibt erhalten.
+graphics_device_lost = Das Grafikgerät ging verloren ({ $reason }). riemap neu starten: Die Abbildung und ihre Schritte zum Rückgängigmachen bleiben erhalten.
 outline_crossed_itself = Der Umriss kreuzte sich dort: der letzte gute blieb.
 no_graphics_device = Es gibt kein Grafikgerät zum Zeichnen.
 planar_map_format = eine Abbildung in der Ebene wird nicht als .{ $format } geschrieben, sondern als .svg, .csv oder .obj
@@ -32,6 +32,7 @@ surface_not_in_link = die Fläche „{ $name }“ ist nicht darin und reist als 
 image_not_in_link = das Bild ist nicht darin
 link_copied_but = Der Link wurde kopiert, aber { $reasons }.
 grey_in_colours = { $what }: grau in den Farben der Verzerrung
+open_in_picture = { $what }: nur in der Abbildung; im Bild und in Dateien sind sie offen
 preparation_stopped = Die Vorbereitung brach unerwartet ab ({ $reason }). Gezeigt wird die letzte Abbildung.
 session_not_saved = Die Sitzung wurde nicht gesichert: { $reason }
 no_link_to_session = Zu dieser Sitzung gibt es keinen Link: { $reason }
@@ -399,6 +400,24 @@ zipper_not_finite = Randpunkt { $index } ist nicht endlich
 zipper_repeated = Randpunkt { $index } wiederholt den vorigen
 zipper_point_outside = der Punkt ({ $x }; { $y }) liegt nicht innerhalb der Kurve durch die Randpunkte
 
+## lesson
+
+step_misses_outline = der Link nennt den Umriss „{ $name }“ ({ $side }) nur; er reist als Datei
+step_surface_file = die Fläche „{ $name }“ kommt aus einer Datei, die kein Link fasst
+step_own_picture = das Muster ist ein eigenes Bild, das kein Link fasst
+step_long_caption = der Text hat { $length } Zeichen, höchstens { $limit } sind möglich
+lesson_too_large = die Datei ist zu groß für eine Lektion: höchstens { $limit } KiB
+lesson_not_text = die Datei ist kein reiner Text (UTF-8)
+no_lesson = das ist keine Lektion: Die erste Zeile heißt nicht „riemap lesson { $ours }“
+lesson_version = die Lektion hat die Version { $found } eines neueren riemap; dieses öffnet Version { $ours }
+lesson_line = Zeile { $line }: Erwartet wird „Title: …“ oder der Link des ersten Schritts, mit #s=… darin
+lesson_no_steps = die Lektion hat keinen Schritt: Ein Schritt ist eine Zeile mit einem Link, mit #s=… darin, und darunter sein Text
+lesson_too_many_steps = die Lektion hat mehr als { $limit } Schritte
+lesson_long_title = der Titel hat { $length } Zeichen, höchstens { $limit } sind möglich
+lesson_step = Schritt { $step }: { $error }
+lesson_step_at = Schritt { $step } (Zeile { $line }): { $error }
+lesson_too_long_for_link = die Lektion ist zu lang für einen Link, der höchstens { $limit } Zeichen hat: als Datei sichern
+
 ## session
 
 age_minutes = { $count } min
@@ -527,3 +546,4 @@ boundary_too_long = ein Rand von { $boundary } Ecken, wo es { $vertices } gibt
 vertex_beyond = Dreieck { $triangle } { $corners } nennt eine Ecke jenseits der { $vertices } gegebenen
 device_gone = das Gerät ist nicht mehr da
 too_few_bytes = weniger Byte als { $width } × { $height } Pixel
+scene_radius = x₁ = { $radius }

@@ -321,12 +321,17 @@ x1_interior_point_source = x₁, interior point of the source
 x2_interior_point_target = x₂, interior point of the target
 y1_boundary_point_source = y₁, boundary point of the source
 y2_boundary_point_target = y₂, boundary point of the target
+probe = circle with a cross, in the source
 
 ## offer
 
 trace_picture_tooltip = The outline of the largest shape in a PNG or JPEG
 picture_texture = The picture is the texture.
 trace_outline = Trace it as outline
+picture_opened = "{ $name }" is a picture.
+trace_silhouette = Trace its silhouette
+use_picture = Use as pattern
+use_picture_tooltip = Keep both outlines and lay the picture over the one whose pattern is mapped
 no = No
 
 ## other
@@ -360,6 +365,16 @@ vertices = Vertices
 intrinsic_delaunay = Intrinsic Delaunay
 back_plane = Back to the plane
 back_plane_tooltip = Show this side's outline again
+boundary_loops = Boundary loops
+explain_boundary_loops = This surface has several boundary loops. The one chosen here, or by a click in the picture, is mapped to the outline. The others are filled, and the map is that of the filled surface.
+choose_loop = Make this loop the outline
+loop_in_list = { $number }: length { $length }, { $vertices } vertices
+loop_in_picture = Boundary loop { $number } of { $count }: click to make it the outline
+holes = Holes
+holes_filled = Filled
+holes_filled_tooltip = Paint what fills the other loops: with the pattern, and grey in the colours of distortion. Saved surfaces keep their holes
+holes_open = Open
+holes_open_tooltip = Leave the other loops open: their filling is in the map only, not in the picture. Saved surfaces keep their holes
 along_boundary = { $count } along the boundary
 surface_map_tooltip = A surface's Laplacian comes from the lengths of its edges; harmonic measure on its boundary loop is matched with the other side's. Over an outline every vertex gets its place there: its texture coordinate; on another surface, a point of that
 delaunay_tooltip = Edges are flipped within the surface until all cotangent weights are positive: then harmonic measure is too, and the boundary keeps its order. The surface itself stays as it is
@@ -429,7 +444,7 @@ play = Play
 
 log = log
 poisson_kernel = Poisson kernel
-reparameterisation = Reparameterisation
+reparameterisation = Reparameterization
 kernel = Kernel
 measure = Measure
 reparam = Reparam.
@@ -576,6 +591,9 @@ ctrl_v_about = Takes an outline from the clipboard: path data, coordinates, GeoJ
 map = Map
 mesh = Mesh
 mesh_tooltip = The edges of the mapped mesh, and of its image on the other side
+uv_layout = Layout
+uv_grid = UV grid
+explain_uv = The texture coordinates u and v that the saved surface gets, over the outline: the unit square with its axes, and the edges of holes as seams. With Mesh, the layout of its triangles. The export window chooses between unit box and true scale.
 texture = Pattern
 move_picture = Move it in the picture
 move_picture_tooltip = Dragging moves it. Scrolling or two fingers scale it; Shift and scrolling, or turning two fingers, turn it.
@@ -710,7 +728,7 @@ share_link = Share…
 share_by_system = Share…
 qr_code = The link as a QR code
 scan_code = Point a camera at it: the phone opens this map.
-plots_tooltip = Poisson kernel, harmonic measure and reparameterisation along the boundaries (P)
+plots_tooltip = Poisson kernel, harmonic measure and reparameterization along the boundaries (P)
 
 ## tour
 
@@ -719,7 +737,7 @@ of = { $part } of { $whole }
 next = Next
 end = End
 keep_picture = Keep this picture
-keep_picture_tooltip = Ends the tour here
+keep_picture_tooltip = Ends here, and this picture stays
 show_again = Again
 end_tour_tooltip = Ends the tour and shows your own picture again
 map_between_two_shapes = A map between two shapes
@@ -836,3 +854,39 @@ ordering = ordering…
 factoring = factoring…
 solved_iteratively = The Cholesky factor does not fit into memory: solved iteratively. A coarse map follows your drags; the full one takes a while when you let go
 mesh_is_coarser = The mesh is coarser than asked for: its refinement stopped at the limit
+
+## lesson
+
+lesson = Lesson
+make_lesson = Make a lesson…
+make_lesson_tooltip = Pictures with captions, played like the tour; kept in one file or one link
+lesson_about = Set up a picture, then add it as a step and write what there is to see. The steps are played like the guided tour.
+lesson_title = Title
+lesson_caption_hint = What there is to see and to try
+add_step = Add step
+add_step_tooltip = The present picture becomes the next step
+show_step = Show
+show_step_tooltip = Shows the picture of this step, to change it
+renew_step = Update
+renew_step_tooltip = The present picture takes the place of this step's; the caption stays
+step_up = Move this step up
+step_down = Move this step down
+delete_step = Delete this step
+step_deleted = Step deleted
+lesson_replaced = The lesson was replaced
+play_lesson = Play lesson
+play_lesson_tooltip = Plays the lesson from the first step; Escape ends it
+save_lesson = Save…
+save_lesson_tooltip = A text file with a link and a caption for each step, which a text editor can change
+lesson_link = Copy link
+lesson_link_tooltip = One link that plays the whole lesson
+open_lesson = Open…
+open_lesson_tooltip = Opens a lesson's file to change it
+close_lesson = Close the lesson; it is kept
+end_lesson_tooltip = Ends the lesson and shows your own picture again
+lessons = Lessons
+caption_of = Caption of step { $number }
+lesson_refused = The lesson cannot be used: { $reason }.
+step_refused = This picture cannot be a step: { $reason }.
+step_added_but = In the step, { $reasons }.
+lesson_not_kept = The lesson is not kept for the next visit: { $reason }

@@ -12,7 +12,7 @@ sentence_and = { $first }. { $second }
 address_unknown = The address says "{ $asked }", but { $option } knows only: { $known }.
 address_unknown_and_more = The address says "{ $asked }" and { $more } more, but { $option } knows only: { $known }.
 address_keeps = The page's address keeps "{ $control }" as it is.
-graphics_device_lost = The graphics device was lost ({ $reason }). Start riemap again: the map is kept.
+graphics_device_lost = The graphics device was lost ({ $reason }). Start riemap again: the map and its undo steps are kept.
 outline_crossed_itself = The outline crossed itself there: the last good one was kept.
 no_graphics_device = There is no graphics device to draw with.
 planar_map_format = a map in the plane is not written as .{ $format }, but as .svg, .csv or .obj
@@ -32,6 +32,7 @@ surface_not_in_link = the surface "{ $name }" is not in it and travels as a file
 image_not_in_link = the image is not in it
 link_copied_but = The link was copied, but { $reasons }.
 grey_in_colours = { $what }: grey in the colours of distortion
+open_in_picture = { $what }: only in the map; they are open in the picture and in files
 preparation_stopped = The preparation stopped unexpectedly ({ $reason }). The map shown is the last one.
 session_not_saved = The session was not saved: { $reason }
 no_link_to_session = There is no link to this session: { $reason }
@@ -399,6 +400,24 @@ zipper_not_finite = boundary point { $index } is not finite
 zipper_repeated = boundary point { $index } repeats the one before it
 zipper_point_outside = the point ({ $x }, { $y }) is not inside the curve through the boundary points
 
+## lesson
+
+step_misses_outline = its link only names the outline "{ $name }" of the { $side }, which travels as a file
+step_surface_file = the surface "{ $name }" comes from a file, which no link holds
+step_own_picture = its pattern is an own picture, which no link holds
+step_long_caption = the caption has { $length } characters where { $limit } are the most
+lesson_too_large = the file is too large for a lesson: { $limit } KiB are the most
+lesson_not_text = the file is not plain text (UTF-8)
+no_lesson = this is not a lesson: its first line is not "riemap lesson { $ours }"
+lesson_version = the lesson is of version { $found }, made by a newer riemap; this one opens version { $ours }
+lesson_line = line { $line }: expected "Title: …" or the link of the first step, with #s=… in it
+lesson_no_steps = the lesson has no step: a step is a line with a link, with #s=… in it, and its caption below
+lesson_too_many_steps = the lesson has more than { $limit } steps
+lesson_long_title = the title has { $length } characters where { $limit } are the most
+lesson_step = step { $step }: { $error }
+lesson_step_at = step { $step } (line { $line }): { $error }
+lesson_too_long_for_link = the lesson is too long for a link, which has { $limit } characters at most: save it as a file
+
 ## session
 
 age_minutes = { $count } min
@@ -527,3 +546,4 @@ boundary_too_long = a boundary of { $boundary } vertices where there are { $vert
 vertex_beyond = triangle { $triangle } { $corners } names a vertex beyond the { $vertices } given
 device_gone = the device has gone away
 too_few_bytes = fewer bytes than { $width } × { $height } pixels
+scene_radius = x₁ = { $radius }

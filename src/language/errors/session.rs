@@ -1,7 +1,8 @@
 //! Messages for sessions that cannot be opened, saved or put into a link.
 
-use crate::language::{Label, Message, key};
+use crate::language::{Label, Message, Value, key};
 use crate::session::file::{self, FileError};
+use crate::session::lesson::{self, LessonError, StepError};
 use crate::session::link::{Choice, LeftOut, LinkError, MAX_LENGTH, NEWEST, NotCarried, ShortenedOutline, percent};
 use crate::session::{OutOfRange, Quantity};
 
@@ -39,6 +40,40 @@ impl From<&LinkError> for Message {
     }
 }
 
+impl From<&StepError> for Message {
+    fn from(error: &StepError) -> Self {
+        match error {
+            StepError::Link(error) => Self::from(error),
+            StepError::LeftOut(outline) => Self::from(outline),
+            StepError::MissingOutline { side, name } => key::step_misses_outline(name, *side),
+            StepError::SurfaceFile { name } => key::step_surface_file(name),
+            StepError::OwnPicture => key::step_own_picture().into(),
+            StepError::LongCaption { length } => key::step_long_caption(*length, lesson::MAX_CAPTION),
+        }
+    }
+}
+
+impl From<&LessonError> for Message {
+    fn from(error: &LessonError) -> Self {
+        match error {
+            LessonError::TooLarge => key::lesson_too_large(lesson::MAX_BYTES >> 10),
+            LessonError::NotText => key::lesson_not_text().into(),
+            LessonError::NoLesson => key::no_lesson(lesson::VERSION),
+            LessonError::Version { found } => key::lesson_version(found, lesson::VERSION),
+            LessonError::Line { line } => key::lesson_line(*line),
+            LessonError::NoSteps => key::lesson_no_steps().into(),
+            LessonError::TooManySteps => key::lesson_too_many_steps(lesson::MAX_STEPS),
+            LessonError::LongTitle { length } => key::lesson_long_title(*length, lesson::MAX_TITLE),
+            LessonError::Step { step, line: Some(line), error } => {
+                key::lesson_step_at(*step, *line, Message::from(error))
+            }
+            LessonError::Step { step, line: None, error } => key::lesson_step(*step, Message::from(error)),
+            LessonError::Link(error) => Self::from(error),
+            LessonError::TooLongForLink => key::lesson_too_long_for_link(MAX_LENGTH),
+        }
+    }
+}
+
 impl From<&NotCarried> for Message {
     fn from(error: &NotCarried) -> Self {
         match error {
@@ -57,7 +92,7 @@ impl From<&LeftOut> for Message {
 
 impl From<&ShortenedOutline> for Message {
     fn from(ShortenedOutline { side, name, from, to, deviation }: &ShortenedOutline) -> Self {
-        key::outline_shortened(*side, name, *from, *to, percent(*deviation))
+        key::outline_shortened(*side, name, *from, *to, Value::number(percent(*deviation)))
     }
 }
 

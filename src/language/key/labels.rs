@@ -70,9 +70,9 @@ keys_of_labels! {
     hemisphere, paraboloid, bent_strip, half_torus, face_like, animal_head, drawn, traced, pasted,
     // keyboard navigation
     picture_source, picture_target, x1_interior_point_source, x2_interior_point_target, y1_boundary_point_source,
-    y2_boundary_point_target,
+    y2_boundary_point_target, probe,
     // offer
-    trace_picture_tooltip, picture_texture, trace_outline, no,
+    trace_picture_tooltip, picture_texture, trace_outline, trace_silhouette, use_picture, use_picture_tooltip, no,
     // other
     english, deutsch,
     // overlay
@@ -82,7 +82,8 @@ keys_of_labels! {
     // paint
     sixty_equal_steps, their_images,
     // panel
-    vertices, intrinsic_delaunay, back_plane, back_plane_tooltip, surface_map_tooltip, delaunay_tooltip,
+    vertices, intrinsic_delaunay, back_plane, back_plane_tooltip, boundary_loops, explain_boundary_loops, choose_loop,
+    holes, holes_filled, holes_filled_tooltip, holes_open, holes_open_tooltip, surface_map_tooltip, delaunay_tooltip,
     surface_direction, surface_direction_target, surfaces_direction, through_disk, random_walks_heading, this_map_had_none, under_a_hundredth_percent, clear,
     clear_tooltip, start, pause, conformal, euclidean, in_source, in_target, off, fresh, precomputed,
     conformal_tooltip, euclidean_tooltip, in_source_tooltip, in_target_tooltip, off_tooltip, fresh_tooltip,
@@ -120,7 +121,7 @@ keys_of_labels! {
     n_shift_n, n_shift_n_about, arrow_keys_delete, arrow_keys_delete_about, escape, escape_about, ctrl_v,
     ctrl_v_about,
     // side panel
-    map, mesh, mesh_tooltip, texture, choose, move_picture, move_picture_tooltip, picture_across,
+    map, mesh, mesh_tooltip, uv_layout, uv_grid, explain_uv, texture, choose, move_picture, move_picture_tooltip, picture_across,
     picture_across_tooltip, picture_up, picture_up_tooltip, picture_size, picture_size_tooltip, picture_turn,
     picture_turn_tooltip, whole_picture, whole_picture_tooltip, scale, samples, keep_corners, keep_corners_tooltip, as_many_as_needed,
     adaptive_samples_tooltip, growth, forward, backward, angle, area, checker, grid, polar, image, adaptive,
@@ -145,6 +146,11 @@ keys_of_labels! {
     harmonic_measure, next, end, keep_picture, keep_picture_tooltip, show_again, end_tour_tooltip, map_between_two_shapes,
     map_between_two_shapes_about, angles_stay, angles_stay_about, three_freedoms, three_freedoms_about,
     harmonic_measure_about, tour_crowding_about, surfaces, surfaces_about,
+    // lesson
+    lesson, make_lesson, make_lesson_tooltip, lesson_about, lesson_title, lesson_caption_hint, add_step, add_step_tooltip, show_step,
+    show_step_tooltip, renew_step, renew_step_tooltip, step_up, step_down, delete_step, step_deleted, lesson_replaced,
+    play_lesson, play_lesson_tooltip, save_lesson, save_lesson_tooltip, lesson_link, lesson_link_tooltip, open_lesson,
+    open_lesson_tooltip, close_lesson, end_lesson_tooltip, lessons,
     // user error
     try_again, use_repaired, repair,
     // viewport
@@ -179,6 +185,8 @@ keys_of_messages! {
     // page
     stopped(reason);
     // panel
+    picture_opened(name);
+    loop_in_list(number, length, vertices); loop_in_picture(number, count);
     along_boundary(count); rays(count); cells_across(count); points_collapsed(collapsed, samples);
     this_map_had(count); out_order(count); all_points_kept_apart(count); largest_difference(share);
     walks(count, shown); largest_deviation(deviation, chance);
@@ -200,6 +208,8 @@ keys_of_messages! {
     pointed(point, image, scale, turning); error_estimate(value); unresolved(share); unknowns_of(side, count); kernel_of(side, kernel); largest_q(value); flipped(count); frame_parts(kernel, matching, extension); frame_times(compute, draw); fps(rate);
     // tour
     of(part, whole); probed(scale, turning);
+    // lesson
+    caption_of(number); lesson_refused(reason); step_refused(reason); step_added_but(reasons); lesson_not_kept(reason);
     // window
     pictures_done(done, all);
     // formula

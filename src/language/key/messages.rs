@@ -34,6 +34,8 @@ keys_of_labels! {
     integral_not_resolved, integral_singular,
     // rational
     formula_cancelled,
+    // lesson
+    step_own_picture, lesson_not_text, lesson_no_steps,
     // session
     link_no_session, link_damaged, link_too_much, not_carried_inexact, limit_version, limit_coordinate, limit_anchor,
     limit_cells, limit_picture, limit_samples, limit_growth, limit_surface_boundary, limit_weight, limit_weight_sum,
@@ -57,10 +59,10 @@ keys_of_messages! {
     // app
     verbatim(text); about(name, what); both_items(first, second); sentence(what); both_clauses(first, second);
     both_sentences(first, second); sentence_and(first, second); address_unknown(asked, option, known);
-    address_unknown_and_more(asked, more, option, known); address_keeps(control); graphics_device_lost(reason);
+    address_unknown_and_more(asked, more, option, known); address_keeps(control); graphics_device_lost(reason); scene_radius(radius);
     planar_map_format(format); surfaces_map_format(format); not_saved(name, reason); last_session_not_opened(reason); link_not_opened(reason);
     link_misses_outline(side, name); session_not_kept(reason); files_not_kept(reason); only_session_kept(reason); pasted_text_not_shown(reason, bytes, limit);
-    disk_stands_in(side, name); surface_not_in_link(name); link_copied_but(reasons); grey_in_colours(what);
+    disk_stands_in(side, name); surface_not_in_link(name); link_copied_but(reasons); grey_in_colours(what); open_in_picture(what);
     preparation_stopped(reason); session_not_saved(reason); no_link_to_session(reason); no_window(cause);
     surface_travels_as_file(name); surface_preparation_stopped(reason); no_disk_coordinates(side, reason);
     through_disk_fails(side, reason); file_unreadable(cause); reading_stopped(reason);
@@ -127,6 +129,11 @@ keys_of_messages! {
     formula_no_digit(degree, forward, inverse);
     // zipper
     zipper_too_few_points(count); zipper_not_finite(index); zipper_repeated(index); zipper_point_outside(x, y);
+    // lesson
+    step_misses_outline(name, side); step_surface_file(name); step_long_caption(length, limit); lesson_too_large(limit);
+    no_lesson(ours); lesson_version(found, ours); lesson_line(line); lesson_too_many_steps(limit);
+    lesson_long_title(length, limit); lesson_step(step, error); lesson_step_at(step, line, error);
+    lesson_too_long_for_link(limit);
     // session
     age_minutes(count); age_hours(count); age_days(count);
     session_file_damaged(reason); session_file_part_missing(part); session_file_part_broken(part, reason);

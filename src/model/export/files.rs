@@ -4,6 +4,7 @@ use crate::conformal::{ConformalMap, Side};
 use crate::export::{Base, FileFormat, Flattened, Panel, Part, Ruling, boundary_csv, mapped_obj, parts, svg};
 use crate::language::{Message, key};
 use crate::model::export::picture_base::PictureBase;
+use crate::model::export::request::Layout;
 use crate::model::{Model, pattern};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::SurfaceShape;
@@ -60,7 +61,7 @@ fn surface_file(
     picture: Option<&RgbaImage>,
 ) -> Option<Result<ReadyFile, Message>> {
     let (_, state) = model.surface(side)?;
-    let flattened = flattened(model, side, request)?;
+    let flattened = flattened(model, Layout { unit: request.unit, corners: request.corners })?;
     let picture = picture.filter(|_| request.format == FileFormat::Glb);
     let bytes = match picture.and_then(|picture| PictureBase::new(model, picture)) {
         Some(Ok(base)) => flattened.glb(Some(&Base { png: base.png(), lookup: &|place| base.lookup(place) })),
@@ -70,15 +71,16 @@ fn surface_file(
     Some(Ok(ReadyFile { name: format!("{}-mapped.{}", stem(&state.spec.shape), request.format.extension()), bytes }))
 }
 
-/// A surface with its texture coordinates, divided at the corners of the outline unless it has none.
-fn flattened(model: &Model, side: Side, request: FileRequest) -> Option<Flattened> {
+/// The surface over an outline with its texture coordinates, as it is saved: divided at the outline's corners if the
+/// layout hits them, unless it has none. `None` without such a map.
+pub fn flattened(model: &Model, layout: Layout) -> Option<Flattened> {
     let map = model.map()?;
-    let outline = &model.session().domain(side.other()).outline;
-    let corners = if request.corners { outline.corner_places() } else { Vec::new() };
+    let outline = &model.session().domain(map.mapped_side().other()).outline;
+    let corners = if layout.corners { outline.corner_places() } else { Vec::new() };
     let cuts = map.cut_corners(&corners).filter(|cuts| !cuts.at_corners().is_empty());
     match cuts {
-        Some(cuts) => Flattened::cut(map, &cuts, request.unit),
-        None => Flattened::new(map, request.unit),
+        Some(cuts) => Flattened::cut(map, &cuts, layout.unit),
+        None => Flattened::new(map, layout.unit),
     }
 }
 
@@ -102,6 +104,10 @@ fn disks(model: &Model, map: &ConformalMap, side: Option<Side>) -> Option<String
     let style = pattern::style(model, true, false)?;
     let mut shown = parts(map, &model.constraints()?);
     shown.retain(|part| side.is_none_or(|only| only == part.side));
+    for part in &mut shown {
+        let surface = map.side(part.side).surface()?;
+        part.wire = Some((part.panel.positions, model.painted(part.side, surface)));
+    }
     if !model.session().wireframe() {
         for part in &mut shown {
             part.wire = None;

@@ -12,4 +12,4 @@ mod formula;
 mod picture_base;
 pub mod request;
 
-pub use files::{FileRequest, ReadyFile, file, panel};
+pub use files::{FileRequest, ReadyFile, file, flattened, panel};

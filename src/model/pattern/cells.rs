@@ -71,6 +71,7 @@ impl Cells {
         if let Some(surface) = repaired.and_then(|map| map.mapped().surface()) {
             colouring::grey_added(surface.surface().origins_of_triangles(), &mut self.codes);
         }
+        self.codes.truncate(model.shown().map_or(0, |map| map.triangles.len()));
         self.recolored = true;
     }
 

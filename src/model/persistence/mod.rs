@@ -200,6 +200,16 @@ impl Persistence {
         }
     }
 
+    /// Whether sessions are stored for the next start.
+    pub fn is_kept(&self) -> bool {
+        self.public.is_some()
+    }
+
+    /// The fragment in the address, by which the kept session is found; `None` if the session has no link.
+    pub fn address(&self) -> Option<&str> {
+        self.public.as_ref()?.address()
+    }
+
     /// The fragment to restore, at once, after the one in the address was refused.
     pub fn correct_address(&mut self) -> Option<String> {
         self.public.as_mut()?.correct_address()

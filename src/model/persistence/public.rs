@@ -37,6 +37,11 @@ impl Public {
         self.owes_address = false;
     }
 
+    /// The fragment of the session that settled last, or of the opened link that is kept; `None` if there is no link.
+    pub fn address(&self) -> Option<&str> {
+        self.address.as_deref()
+    }
+
     /// The fragment to restore after an edited one was refused; if there is none, the address follows the session.
     pub fn correct_address(&mut self) -> Option<String> {
         self.owes_address |= self.address.is_none();

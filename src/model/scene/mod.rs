@@ -70,6 +70,8 @@ pub struct OffscreenCells<'a> {
 pub struct OffscreenSurface<'a> {
     /// The surface.
     pub surface: &'a MeshedSurface,
+    /// The triangles that are painted.
+    pub triangles: &'a [[u32; 3]],
     /// The texture coordinates of its vertices.
     pub coordinates: &'a [DVec2],
     /// The interior and the boundary point.
@@ -196,8 +198,10 @@ impl Offscreen {
 
     /// The surface of a side, if one stands there.
     pub fn surface(&self, side: Side) -> Option<OffscreenSurface<'_>> {
+        let surface = self.model.shown_surface(side)?;
         Some(OffscreenSurface {
-            surface: self.model.shown_surface(side)?,
+            surface,
+            triangles: self.model.painted(side, surface),
             coordinates: pattern::surface_coordinates(&self.model, side)?,
             points: [self.model.surface_point(side)?, self.model.surface_anchor(side)?],
         })

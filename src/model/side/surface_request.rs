@@ -20,7 +20,8 @@ pub struct SurfaceRequest {
 impl Requested for Option<SurfaceRequest> {
     fn task(&self) -> Option<Task> {
         let SurfaceRequest { spec, source } = self.as_ref()?;
-        Some(Task::Surface { source: source.clone(), repair: spec.repair, settings: spec.settings })
+        let SurfaceSpec { repair, outline_loop, settings, .. } = *spec;
+        Some(Task::Surface { source: source.clone(), repair, outline_loop, settings })
     }
 
     /// Whether the given triangles are the same.

@@ -1,4 +1,4 @@
-//! Finds chords between samples that cross, and the vertices that separate them when added as samples.
+//! Chords between samples that cross, or cut off too much of the area, and the vertices that mend this as samples.
 
 use super::super::overlaps::for_each_overlap;
 use super::arc::Arc;
@@ -21,6 +21,40 @@ pub(super) fn first_vertices_to_add(arc: &Arc, positions: &[f64]) -> Vec<f64> {
     });
     let crossing = crossing.iter().enumerate().filter(|&(_, &crossing)| crossing);
     crossing.filter_map(|(k, _)| middle_vertex(arc, positions, k)).collect()
+}
+
+/// For the chords that cut off the largest parts, so many that what all cut off falls to `share` of the outline's area,
+/// the arc length of the vertex nearest to the middle. Parts are signed areas between a chord and the outline.
+pub(super) fn vertices_where_area_is_lost(arc: &Arc, positions: &[f64], share: f64) -> Vec<f64> {
+    let whole = twice_area(arc.vertices().iter().copied()).abs();
+    let mut parts: Vec<(f64, usize)> = (0..positions.len()).map(|k| (part_cut_off(arc, positions, k), k)).collect();
+    let mut excess = parts.iter().map(|part| part.0).sum::<f64>() - share * whole;
+    parts.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+    let largest = parts.into_iter().take_while(|&(part, _)| {
+        let needed = excess > 0.0;
+        excess -= part;
+        needed
+    });
+    largest.filter_map(|(_, k)| middle_vertex(arc, positions, k)).collect()
+}
+
+/// Twice the area between the chord from sample `k` and the outline.
+fn part_cut_off(arc: &Arc, positions: &[f64], k: usize) -> f64 {
+    let (start, end) = (positions[k], positions.get(k + 1).copied().unwrap_or(arc.length()));
+    let between = (arc.edge_at(start) + 1..arc.vertices().len()).take_while(|&v| arc.at_vertex(v) < end);
+    let last = arc.point(if end < arc.length() { end } else { 0.0 });
+    let piece = std::iter::once(arc.point(start)).chain(between.map(|v| arc.vertices()[v])).chain([last]);
+    twice_area(piece).abs()
+}
+
+/// Twice the signed area of a closed polygon.
+fn twice_area(mut points: impl Iterator<Item = DVec2>) -> f64 {
+    let Some(origin) = points.next() else { return 0.0 };
+    let mut before = DVec2::ZERO;
+    points.fold(0.0, |sum, p| {
+        let offset = p - origin;
+        sum + std::mem::replace(&mut before, offset).perp_dot(offset)
+    })
 }
 
 /// The vertex strictly between samples `k` and `k+1` that is nearest to their middle in arc length.

@@ -163,6 +163,18 @@ fn assert_targets_are_met_on_the_outline(outlines: impl Iterator<Item = Named>) 
 }
 
 #[test]
+fn samples_cover_the_outline() {
+    assert_samples_cover_the_outline(presets());
+}
+
+fn assert_samples_cover_the_outline(outlines: impl Iterator<Item = Named>) {
+    for (name, shape) in outlines {
+        let covered = polygon(adaptive(&shape, None).points).area() / shape.area();
+        assert!((covered - 1.0).abs() < 9e-4, "{name}: the samples cover {covered}");
+    }
+}
+
+#[test]
 fn samples_of_all_outlines_form_simple_polygons_that_can_be_meshed() {
     assert_samples_can_be_meshed(presets());
 }
@@ -221,6 +233,12 @@ mod shared_data {
         let simple: Vec<_> = paths.iter().cloned().filter_map(read).collect();
         assert_eq!(simple.len(), paths.len() - 1);
         simple
+    }
+
+    #[test]
+    #[ignore = "needs ../shared/data"]
+    fn samples_cover_the_outline() {
+        assert_samples_cover_the_outline(outlines().into_iter());
     }
 
     #[test]

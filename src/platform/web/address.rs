@@ -12,13 +12,22 @@ fn storage_key(what: Kept) -> &'static str {
     match what {
         Kept::Session => "riemap session",
         Kept::Preferences => "riemap preferences",
+        Kept::Lesson => "riemap lesson",
     }
 }
 
 /// The fragment of the address if it contains a session.
 pub fn link() -> Option<String> {
-    let fragment = web_sys::window()?.location().hash().ok()?;
-    crate::session::link::is_link(&fragment).then_some(fragment)
+    fragment().filter(|fragment| crate::session::link::is_link(fragment))
+}
+
+/// The fragment of the address if it contains a lesson.
+pub fn lesson_link() -> Option<String> {
+    fragment().filter(|fragment| crate::session::lesson::is_link(fragment))
+}
+
+fn fragment() -> Option<String> {
+    web_sys::window()?.location().hash().ok()
 }
 
 /// The property of a history entry's state that holds the id of its visit.
@@ -104,11 +113,11 @@ pub fn keeps_sessions() -> bool {
     is_kept(Kept::Session)
 }
 
-/// Whether the text is stored at all. The session of an embedded page is neither stored nor restored, whatever the
+/// Whether the text is stored at all. The session of an embedded page, and its lesson, are neither stored nor restored, whatever the
 /// options, since it is not the user's own work. The same holds for an embedded page opened in its own window.
 fn is_kept(what: Kept) -> bool {
     let is_embedded = || super::address_query().iter().any(|[name, _]| name == "embed");
-    what != Kept::Session || !(is_framed() || is_embedded())
+    what == Kept::Preferences || !(is_framed() || is_embedded())
 }
 
 /// The text that was stored last.
@@ -132,7 +141,7 @@ pub fn follow(mailbox: Mailbox) {
     };
     let changed = Closure::<dyn FnMut()>::new(move || {
         // an entry that shows a visit is not a new address: `popstate` has told
-        if let Some(fragment) = link().filter(|_| visit().is_none()) {
+        if let Some(fragment) = lesson_link().or_else(link).filter(|_| visit().is_none()) {
             mailbox.post(Event::Link(fragment));
         }
     });
@@ -161,5 +170,11 @@ pub fn say_language(code: &str) {
 /// Whether the screen can be touched, before its first touch.
 pub fn has_fingers() -> bool {
     let query = |window: Window| window.match_media("(any-pointer: coarse)").ok()?;
+    web_sys::window().and_then(query).is_some_and(|query| query.matches())
+}
+
+/// Whether the user has asked the system for less motion.
+pub fn wants_calm() -> bool {
+    let query = |window: Window| window.match_media("(prefers-reduced-motion: reduce)").ok()?;
     web_sys::window().and_then(query).is_some_and(|query| query.matches())
 }

@@ -5,7 +5,7 @@
 //! * `riemap.link()` → the fragment of an address that opens this session, or `null` if no link holds all its outlines,
 //! * `riemap.open_session(object)` → `null`, or why the object is not a valid session; the map is updated
 //!   once its domains are prepared,
-//! * `riemap.open_link(text)` → the same for a link or its fragment,
+//! * `riemap.open_link(text)` → the same for a link or its fragment; a lesson's is played,
 //! * `riemap.load_outline("source" | "target", file_name, text)` → `true` if the side is known,
 //! * `riemap.load_file("source" | "target", file_name, bytes)` → the same, for any file that can be dropped.
 //!

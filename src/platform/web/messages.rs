@@ -2,7 +2,7 @@
 //!
 //! A request is `{ generation, task }`, whose `task` names the other fields: `points`, `form` and `settings` of an
 //! outline, with `point` if its integral equation is requested, `points`, `fractions`, `coarse` and `settings` of a mesh,
-//! `file` and `settings` of an outline file, `file` of a session file, `repair`, `settings` and either `preset` or
+//! `file` and `settings` of an outline file, `file` of a session file, `repair`, `outline_loop`, `settings` and either `preset` or
 //! `file` of a surface. A file is `{ name, bytes }`.
 //!
 //! A response is `{ generation }` with `stage`, `failed`, `outline`, `taken`, `session`, `unread`, `refused`, or `floats`,
@@ -48,12 +48,13 @@ pub fn encode_request(request: &Request) -> (JsValue, Array) {
             (OUTLINE_FILE, vec![("file", encode_file(file, &transfer)), ("settings", json(settings))])
         }
         Task::SessionFile(file) => (SESSION_FILE, vec![("file", encode_file(file, &transfer))]),
-        Task::Surface { source, repair, settings } => {
+        Task::Surface { source, repair, outline_loop, settings } => {
             let source = match source {
                 SurfaceSource::Preset { preset, boundary } => ("preset", json(&(preset, boundary))),
                 SurfaceSource::File(file) => ("file", encode_file(file, &transfer)),
             };
-            (SURFACE, vec![source, ("repair", (*repair).into()), ("settings", json(settings))])
+            let outline_loop = ("outline_loop", json(outline_loop));
+            (SURFACE, vec![source, ("repair", (*repair).into()), outline_loop, ("settings", json(settings))])
         }
     };
     let common = [("generation", JsValue::from(request.generation.to_string())), ("task", kind.into())];
@@ -119,6 +120,7 @@ pub fn decode_request(message: &JsValue) -> Option<Request> {
         SURFACE => Task::Surface {
             source: decode_source(message)?,
             repair: get(message, "repair")?.as_bool()?,
+            outline_loop: parsed(message, "outline_loop")?,
             settings: parsed(message, "settings")?,
         },
         _ => return None,

@@ -20,8 +20,8 @@ mod surroundings;
 mod worker_handle;
 
 pub use address::{
-    address_with, begin_visit, has_fingers, languages, link, new_visit, remember, remembered, say_language, show_link,
-    visit,
+    address_with, begin_visit, has_fingers, languages, lesson_link, link, new_visit, remember, remembered,
+    say_language, show_link, visit, wants_calm,
 };
 pub use files::{drop_position, pick_file, read_dropped, save_file};
 pub use graphics::watch_graphics;

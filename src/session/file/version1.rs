@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 /// Whether the format can hold the session.
 pub(super) fn holds(session: &Session) -> bool {
     session.surface(Side::Source).is_none()
+        && !session.surface(Side::Target).is_some_and(SurfaceState::chooses_loops)
         && session.picture().is_default()
         && Side::BOTH.iter().all(|&side| session.domain(side).outline.is_only_polygon())
 }

@@ -3,7 +3,7 @@
 use super::{Choice, LinkError};
 use crate::conformal::{Direction, Extension, KernelMode, Side};
 use crate::laplace::SolverKind;
-use crate::session::{Colouring, Comparison, TextureKind};
+use crate::session::{Colouring, Comparison, Holes, TextureKind};
 
 /// An enum whose values have numbers.
 pub(super) trait Coded: Sized {
@@ -35,6 +35,7 @@ codes!(Direction, Direction { Direction::Forward = 0, Direction::Backward = 1 })
 codes!(Extension, Extension { Extension::Harmonic = 0, Extension::CauchyGreen = 1, Extension::Exact = 2 });
 codes!(Side, Side { Side::Source = 0, Side::Target = 1 });
 codes!(Kernel, KernelMode { KernelMode::Adjoint = 0, KernelMode::Table = 1, KernelMode::Integral = 2 });
+codes!(Setting, Holes { Holes::Filled = 0, Holes::Open = 1 });
 codes!(Solver, SolverKind { SolverKind::Direct = 0, SolverKind::Pcg = 1 });
 codes!(Colouring, Colouring { Colouring::Texture = 0, Colouring::Angle = 1, Colouring::Area = 2 });
 codes!(Texture, TextureKind {

@@ -20,12 +20,12 @@ pub(super) const MAX_BYTES: usize = 64 << 10;
 const LEVEL: u8 = 9;
 
 /// Encodes `bytes`; `None` if there are more than [`MAX_BYTES`].
-pub(super) fn pack(bytes: &[u8]) -> Option<String> {
+pub(in crate::session) fn pack(bytes: &[u8]) -> Option<String> {
     (bytes.len() <= MAX_BYTES).then(|| BASE64_URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(bytes, LEVEL)))
 }
 
 /// Decodes a text. Errors: too long, not base 64, not deflated, or more than [`MAX_BYTES`].
-pub(super) fn unpack(text: &str) -> Result<Vec<u8>, LinkError> {
+pub(in crate::session) fn unpack(text: &str) -> Result<Vec<u8>, LinkError> {
     if text.len() > MAX_LENGTH {
         return Err(LinkError::TooLong { length: text.len() });
     }

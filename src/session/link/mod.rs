@@ -9,6 +9,7 @@
 //! | outlines with curves: points in 24 bits, or the pieces of a path | `curves` |
 //! | outlines that are too long, with as many points as fit | `shortened`, `thinning` |
 //! | deflate and base 64 | `envelope` |
+//! | what is packed, for lessons | `state` |
 //!
 //! Guarantees: for any input, [`decode`] returns a session that [`Session::check`] accepts, with simple
 //! polygons, or an error; it does not panic and allocates less than 8 MiB in all. Decoding the result of
@@ -23,6 +24,7 @@ mod curves;
 mod envelope;
 mod quantized;
 mod shortened;
+mod state;
 mod thinning;
 mod version1;
 mod version2;
@@ -31,8 +33,10 @@ use super::{OutOfRange, OutlineSpec, Session};
 use crate::conformal::{PerSide, Side};
 use crate::geometry::{DVec2, PolygonError};
 use curves::WiredCurve;
+pub(super) use envelope::{pack, unpack};
 use quantized::Quantized;
 use serde::de::DeserializeOwned;
+pub(super) use state::State;
 use version1::{STAND_IN, Version1, WiredOutline, short_name};
 use version2::Version2;
 
@@ -73,15 +77,15 @@ pub struct ShortenedOutline {
     pub deviation: f64,
 }
 
-/// A share as a percentage of two digits, rounded up.
+/// A share as a percentage of two digits, rounded up, with a decimal point.
 pub fn percent(share: f64) -> String {
     let percent = 100.0 * share;
     if percent <= 0.0 {
-        return String::from("0 %");
+        return String::from("0\u{a0}%");
     }
     let digits = (1.0 - percent.log10().floor()).clamp(0.0, 12.0);
     let rounded = (percent * 10_f64.powf(digits)).ceil() / 10_f64.powf(digits);
-    format!("{rounded:.0$} %", digits as usize)
+    format!("{rounded:.0$}\u{a0}%", digits as usize)
 }
 
 /// An outline that a link does not hold.
@@ -303,7 +307,7 @@ pub fn decode(link: &str) -> Result<Decoded, LinkError> {
 }
 
 /// Decodes all of `bytes` from postcard's encoding; bytes left over are an error.
-fn whole<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, LinkError> {
+pub(super) fn whole<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, LinkError> {
     match postcard::take_from_bytes(bytes) {
         Ok((value, [])) => Ok(value),
         _ => Err(LinkError::Damaged),
@@ -326,6 +330,11 @@ fn state_of(link: &str) -> Option<&str> {
     let link = link.trim();
     let fragment = link.split_once('#').map_or(link, |(_, fragment)| fragment);
     fragment.split('&').find_map(|part| part.strip_prefix(KEY))
+}
+
+/// The part of a link's fragment that [`decode`] reads, alone; empty if there is none.
+pub(super) fn alone(link: &str) -> String {
+    state_of(link).map(|state| format!("{KEY}{state}")).unwrap_or_default()
 }
 
 /// An outline, quantized before it is written into a link.

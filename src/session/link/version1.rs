@@ -223,7 +223,8 @@ fn with_points(side: Side, name: String, points: &Quantized) -> Result<OutlineSp
 
 impl Surface {
     pub fn new(state: &SurfaceState) -> Self {
-        let SurfaceState { spec: SurfaceSpec { shape, repair, settings }, point, anchor } = state;
+        let SurfaceState { spec, point, anchor, .. } = state;
+        let SurfaceSpec { shape, repair, settings, .. } = spec;
         let SurfaceSettings { intrinsic_delaunay, kernel, solver } = *settings;
         let shape = match shape {
             SurfaceShape::Preset { preset, boundary } => {
@@ -256,7 +257,8 @@ impl Surface {
             solver: Coded::of(self.solver)?,
         };
         let point = self.point.map(|(triangle, weights)| BarycentricPoint::new(TriangleId::new(triangle), weights));
-        Ok(SurfaceState { spec: SurfaceSpec { shape, repair: self.repair, settings }, point, anchor: self.anchor })
+        let spec = SurfaceSpec::new(shape).with_repair(self.repair).with_settings(settings);
+        Ok(SurfaceState { point, anchor: self.anchor, ..SurfaceState::new(spec) })
     }
 }
 

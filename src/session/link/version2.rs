@@ -10,13 +10,15 @@
 //! | 1 | the surface on the source's side, as `version1` has that of the target's | no |
 //! | 2, 3 | the source's, the target's outline with its curve, which version 1 says to be in a file | no |
 //! | 4 | the placement of the image, where it is not the default: it changes no map | yes |
+//! | 5, 6 | the loop that is the outline of the source's, the target's surface, and whether its holes are painted | no |
 
+use super::codes::Coded;
 use super::curves::WiredCurve;
 use super::version1::{Surface, Version1, WiredOutline};
 use super::{Choice, Decoded, LinkError, MissingOutline};
 use crate::conformal::{PerSide, Side};
 use crate::geometry::PicturePlacement;
-use crate::session::{OutlineSpec, Session};
+use crate::session::{OutlineSpec, Session, SurfaceState};
 use serde::{Deserialize, Serialize};
 
 /// The number of the section with the source's surface.
@@ -25,6 +27,8 @@ const SOURCE_SURFACE: u16 = 1;
 const CURVES: PerSide<u16> = PerSide::new(2, 3);
 /// The section with the placement of the image.
 const PICTURE: u16 = 4;
+/// The sections with the sides' choices among the boundary loops of a surface.
+const LOOPS: PerSide<u16> = PerSide::new(5, 6);
 
 /// A session.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -42,7 +46,9 @@ pub(super) struct Section {
 
 /// Whether the session has something that only version 2 holds.
 pub(super) fn is_needed(session: &Session) -> bool {
-    session.surface(Side::Source).is_some() || !session.picture().is_default()
+    session.surface(Side::Source).is_some()
+        || session.surface(Side::Target).is_some_and(SurfaceState::chooses_loops)
+        || !session.picture().is_default()
 }
 
 impl Version2 {
@@ -61,6 +67,12 @@ impl Version2 {
             if let Some(curve) = curve {
                 let content = postcard::to_allocvec(curve).ok()?;
                 sections.push(Section { number: CURVES[side], may_be_skipped: false, content });
+            }
+        }
+        for (side, number) in LOOPS.iter() {
+            if let Some(surface) = session.surface(side).filter(|surface| surface.chooses_loops()) {
+                let content = postcard::to_allocvec(&(surface.spec.outline_loop, surface.holes.code())).ok()?;
+                sections.push(Section { number: *number, may_be_skipped: false, content });
             }
         }
         if !session.picture().is_default() {
@@ -83,6 +95,8 @@ impl Version2 {
                     *surface = Some(super::whole::<Surface>(content)?.state()?);
                 }
                 PICTURE => decoded.session.display.picture = super::whole::<PicturePlacement>(content)?,
+                _ if *number == LOOPS.source => choose_loops(&mut decoded, Side::Source, content)?,
+                _ if *number == LOOPS.target => choose_loops(&mut decoded, Side::Target, content)?,
                 _ if *number == CURVES.source => place_curve(&mut decoded, Side::Source, content)?,
                 _ if *number == CURVES.target => place_curve(&mut decoded, Side::Target, content)?,
                 _ if *may_be_skipped => {}
@@ -98,6 +112,15 @@ impl Version2 {
         self.sections.push(section);
         self
     }
+}
+
+/// Sets which boundary loop of a surface is its outline, and whether its holes are painted. Errors: the side has no
+/// surface, as when the section comes before it.
+fn choose_loops(decoded: &mut Decoded, side: Side, content: &[u8]) -> Result<(), LinkError> {
+    let surface = decoded.session.sides[side].surface.as_mut().ok_or(LinkError::Damaged)?;
+    let (outline_loop, holes) = super::whole::<(u16, u8)>(content)?;
+    (surface.spec.outline_loop, surface.holes) = (outline_loop, Coded::of(holes)?);
+    Ok(())
 }
 
 /// Puts an outline with its curve where the link's part of version 1 has a file's name. Errors: there is no such name,

@@ -21,7 +21,7 @@ pub fn upload(
         let mesh = surface.mesh();
         let geometry = SurfaceGeometry {
             positions: mesh.vertices(),
-            triangles: mesh.triangles(),
+            triangles: model.painted(side, surface),
             boundary_count: mesh.boundary_count(),
         };
         fits = renderer.set_surface(&state.device, &state.queue, viewport, &geometry);

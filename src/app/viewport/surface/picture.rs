@@ -14,11 +14,11 @@ const DARKEST: f64 = 0.3;
 /// A triangle in the square from −1 to 1, y down, and its brightness.
 type Facet = ([Pos2; 3], f32);
 
-/// Draws the surface into `frame`; what faces the eye is all `ink`.
-pub fn surface_picture(ui: &Ui, preset: SurfacePreset, frame: Rect, [ground, ink]: [Color32; 2]) {
+/// Draws the surface into `frame`; what faces the eye is `lit`, what is seen edge-on nearly `shade`.
+pub fn surface_picture(ui: &Ui, preset: SurfacePreset, frame: Rect, [shade, lit]: [Color32; 2]) {
     let mut mesh = Mesh::default();
     for (corners, brightness) in facets(ui.ctx(), preset).iter() {
-        let colour = ground.lerp_to_gamma(ink, *brightness);
+        let colour = shade.lerp_to_gamma(lit, *brightness);
         let first = mesh.vertices.len() as u32;
         for p in corners {
             mesh.colored_vertex(frame.center() + 0.5 * frame.width() * p.to_vec2(), colour);

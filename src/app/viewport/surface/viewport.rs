@@ -8,13 +8,13 @@ use crate::app::input::handles::{Handle, HandleKind, HandleState};
 use crate::app::input::keyboard_navigation;
 use crate::app::input::keyboard_navigation::{EyeMove, KeyStep};
 use crate::app::input::locks::{Control, Locks};
-use crate::app::theme::Palette;
+use crate::app::theme::{Palette, is_animated};
 use crate::app::viewport::dots;
 use crate::app::viewport::dots::Dot;
 use crate::app::viewport::gpu::ViewportCallback;
 use crate::app::viewport::picture::Picture;
 use crate::app::viewport::planar::{BOUNDARY_REACH, ZOOM_PER_POINT};
-use crate::app::viewport::surface::OrbitView;
+use crate::app::viewport::surface::{OrbitView, loops};
 use crate::conformal::Side;
 use crate::geometry::DVec3;
 use crate::model::Model;
@@ -46,6 +46,7 @@ pub fn interact(
     if let Some(key_step) = keyboard_navigation::of_dots(ui, side, places, handles) {
         actions.extend(stepped(side, model, view, key_step).map(Action::Session));
     }
+    loops::interact(ui, &response, (side, model), view, handles, actions);
     move_eye(ui, &response, view, handles);
     match keyboard_navigation::of_viewport(ui, &response, side, handles) {
         Some(EyeMove::Step(step)) => view.turn(-step),
@@ -128,7 +129,7 @@ fn move_eye(ui: &Ui, response: &Response, view: &mut OrbitView, handles: &Handle
         }
         ui.set_cursor_icon(if pans { CursorIcon::Move } else { CursorIcon::AllScroll });
     } else if response.drag_stopped_by(PointerButton::Primary) && !shift {
-        view.let_spin(speed);
+        view.let_spin(if is_animated(ui) { speed } else { Vec2::ZERO });
     }
     if view.spin(seconds) {
         ui.request_repaint();

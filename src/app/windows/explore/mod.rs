@@ -1,4 +1,4 @@
-//! Gallery, list of figures, guided tour and list of shortcuts.
+//! Gallery, list of figures, guided tour and lessons, and list of shortcuts.
 
 mod gallery;
 mod shortcuts;
@@ -8,12 +8,15 @@ mod window;
 
 use crate::app::input::action::{Action, Actions, ExploreAction};
 use crate::app::menus::figures_menu;
-use crate::language::tr;
+use crate::app::plots::BoundaryPlace;
 use crate::model::Model;
 use crate::model::motion::Player;
 use crate::session::Session;
+use crate::session::lesson::Lesson;
 use egui::{Context, Pos2, TextureHandle, Ui};
-use tour::{Motions, Tour};
+use std::sync::Arc;
+use tour::card::{Card, CardPlots, Motion};
+use tour::{Course, Motions, Stop, Tour};
 use window::{BESIDES, Window};
 
 /// The open window, at most one, and the tour.
@@ -23,10 +26,23 @@ pub struct Explore {
     /// The center of the window's close button.
     close: Option<Pos2>,
     tour: Option<Tour>,
+    /// Whether the card shows the plots in place of the words, where there is no room for them elsewhere.
+    pub card_plots: bool,
+    /// Whether nothing is to move before the user asks for it (`prefers-reduced-motion`).
+    pub is_calm: bool,
     /// Whether the window or step that was just opened still has to get the keyboard focus.
     focus_due: bool,
     /// The gallery's thumbnails rendered so far, in its order; `None` where rendering failed.
     thumbnails: Vec<Option<TextureHandle>>,
+}
+
+/// What the card of a step has found out.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct CardShown {
+    /// The place under the pointer in its plots.
+    pub pointed: Option<BoundaryPlace>,
+    /// Whether it took the keyboard focus that was due.
+    pub took_focus: bool,
 }
 
 /// What the app must change after an [`ExploreAction`]; `None` leaves a part unchanged.
@@ -47,7 +63,13 @@ impl Explore {
             ExploreAction::Figures => self.open(Window::Figures),
             ExploreAction::Shortcuts => self.open(Window::Shortcuts),
             ExploreAction::Close => self.window = None,
-            ExploreAction::Tour(step) => return self.go_to(step, present, is_walking),
+            ExploreAction::Tour(step) => return self.go_to(Course::Guided, step, present, is_walking),
+            ExploreAction::Step(step) => {
+                let course = self.tour.as_ref().map(|tour| tour.course.clone());
+                return course.map(|course| self.go_to(course, step, present, is_walking)).unwrap_or_default();
+            }
+            ExploreAction::Again => return self.show_again(),
+            ExploreAction::CardPlots(shown) => self.card_plots = shown,
             ExploreAction::LeaveTour { keeps } => {
                 let Some(Tour { before, walked, .. }) = self.tour.take() else { return Consequences::default() };
                 return Consequences { session: (!keeps).then_some(before), walks: Some(walked) };
@@ -60,17 +82,50 @@ impl Explore {
         (self.window, self.focus_due) = (Some(window), true);
     }
 
-    fn go_to(&mut self, step: usize, present: &Session, is_walking: bool) -> Consequences {
-        let Some(stop) = tour::steps().get(step) else { return Consequences::default() };
-        self.window = None;
-        self.focus_due = true;
-        let begun = self.tour.take().map(|tour| (tour.before, tour.walked));
-        let (before, walked) = begun.unwrap_or_else(|| (present.clone(), is_walking));
-        self.tour = Some(Tour { step, before, walked, motions: Motions::new(stop.motions) });
-        Consequences { session: Some(stop.session.clone()), walks: Some(stop.walks) }
+    /// Plays a lesson from its first step; `present` and `is_walking` as for [`Self::act`].
+    pub fn play(&mut self, lesson: Arc<Lesson>, present: &Session, is_walking: bool) -> Consequences {
+        self.go_to(Course::Lesson(lesson), 0, present, is_walking)
     }
 
-    /// The step of the tour that is shown, counted from 0.
+    fn go_to(&mut self, course: Course, step: usize, present: &Session, is_walking: bool) -> Consequences {
+        let Some(stop) = course.stop(step) else { return Consequences::default() };
+        self.window = None;
+        self.focus_due = true;
+        let walks = stop.walks && !self.is_calm;
+        let consequences = Consequences { session: Some(stop.session.clone()), walks: Some(walks) };
+        let motions = Motions::new(if self.is_calm { &[] } else { stop.motions });
+        let begun = self.tour.take().map(|tour| (tour.before, tour.walked));
+        let (before, walked) = begun.unwrap_or_else(|| (present.clone(), is_walking));
+        let is_waiting = self.is_calm;
+        self.tour = Some(Tour { course, step, before, walked, motions, is_waiting });
+        consequences
+    }
+
+    /// Shows the step once more, and what it does by itself.
+    fn show_again(&mut self) -> Consequences {
+        let Some(tour) = &mut self.tour else { return Consequences::default() };
+        let Some(stop) = tour.course.stop(tour.step) else { return Consequences::default() };
+        let consequences = Consequences { session: Some(stop.session.clone()), walks: Some(stop.walks) };
+        let motions = Motions::new(stop.motions);
+        (tour.motions, tour.is_waiting) = (motions, false);
+        consequences
+    }
+
+    fn stop(&self) -> Option<Stop<'_>> {
+        self.tour.as_ref().and_then(|tour| tour.course.stop(tour.step))
+    }
+
+    /// The session from before the tour or lesson in progress.
+    pub fn before(&self) -> Option<&Session> {
+        self.tour.as_ref().map(|tour| &tour.before)
+    }
+
+    /// Whether a lesson is in progress.
+    pub fn plays_lesson(&self) -> bool {
+        self.tour.as_ref().is_some_and(|tour| tour.course.is_lesson())
+    }
+
+    /// The step of the tour or lesson that is shown, counted from 0.
     pub fn step(&self) -> Option<usize> {
         self.tour.as_ref().map(|tour| tour.step)
     }
@@ -80,15 +135,14 @@ impl Explore {
         self.window.is_some()
     }
 
-    /// Whether the tour is in progress.
+    /// Whether the tour or a lesson is in progress.
     pub fn is_touring(&self) -> bool {
         self.tour.is_some()
     }
 
-    /// Title and text of the tour's step.
-    pub fn words(&self) -> Option<[&'static str; 2]> {
-        let stop = tour::steps().get(self.step()?)?;
-        Some([stop.title, stop.text].map(tr))
+    /// Title and text of the step.
+    pub fn words(&self) -> Option<[&str; 2]> {
+        self.stop().map(|stop| [stop.title, stop.text])
     }
 
     /// Begins and ends the motions of the tour's step, unless the user `holds` a point; returns the seconds until the
@@ -104,17 +158,38 @@ impl Explore {
 
     /// Whether the tour's step carries a circle with a cross along.
     pub fn probes(&self) -> bool {
-        self.step().and_then(|step| tour::steps().get(step)).is_some_and(|stop| stop.probes)
+        self.stop().is_some_and(|stop| stop.probes)
     }
 
-    /// Shows the card of the tour's step beside or below the pictures; if it `yields` to a message, it is hidden on a
-    /// low screen. `player` moves the points. Returns whether the card took the keyboard focus that was due.
-    pub fn show_tour(&self, ui: &mut Ui, player: &Player, yields: bool, actions: &mut Actions) -> bool {
-        let Some(step) = self.step().filter(|_| !(yields && tour::card::is_low(ui))) else { return false };
-        // a window that opens over the tour gets the focus
-        let takes_focus = self.window.is_none() && self.focus_due;
-        tour::card::show(ui, step, player.is_playing(), takes_focus, actions);
-        takes_focus
+    /// Shows the card of the step beside or below the pictures; if it `yields` to a message, it is hidden on a low screen.
+    /// `player` moves the points; `plots` are those that have no room elsewhere.
+    pub fn show_tour(
+        &self,
+        ui: &mut Ui,
+        player: &Player,
+        yields: bool,
+        plots: Option<CardPlots<'_>>,
+        actions: &mut Actions,
+    ) -> CardShown {
+        let (Some(tour), Some(stop)) = (&self.tour, self.stop()) else { return CardShown::default() };
+        if yields && tour::card::is_low(ui) {
+            return CardShown::default();
+        }
+        let card = Card {
+            stop,
+            step: tour.step,
+            count: tour.course.len(),
+            is_lesson: tour.course.is_lesson(),
+            motion: match tour.is_waiting {
+                _ if player.is_playing() => Motion::Moving,
+                true => Motion::Waiting,
+                false => Motion::Over,
+            },
+            plots,
+            // a window that opens over the tour gets the focus
+            takes_focus: self.window.is_none() && self.focus_due,
+        };
+        CardShown { pointed: card.show(ui, actions), took_focus: card.takes_focus }
     }
 
     /// Forgets the thumbnails, because the device is gone that held them; they are rendered again.
@@ -158,7 +233,7 @@ mod tests {
     fn the_tour_goes_on_from_step_to_step_and_gives_the_picture_from_before_back() {
         let mine = Session::with([crate::session::Command::SetTextureScale(13.0)]);
         let mut explore = Explore::default();
-        for step in 0..tour::steps().len() {
+        for step in 0..Course::Guided.len() {
             let shown = explore.act(ExploreAction::Tour(step), &mine, true).session;
             assert!(shown.is_some_and(|shown| shown != mine), "step {step}");
         }

@@ -139,8 +139,8 @@ impl Canvas {
             let [a, b, c] = corners.map(|v| mesh.vertices()[v]);
             scale * scale * (b - a).cross(c - a).length()
         };
-        let octaves = self.octaves((solid.coordinates, mesh.triangles()), spatial, style);
-        for corners in mesh.triangles() {
+        let octaves = self.octaves((solid.coordinates, solid.triangles), spatial, style);
+        for corners in solid.triangles {
             let corners = corners.map(|v| v as usize);
             let [a, b, c] = corners.map(|v| mesh.vertices()[v]);
             let facing = (b - a).cross(c - a).normalize_or_zero().dot(towards_eye).abs();

@@ -1,6 +1,7 @@
 //! The formula in the export window: its format and digits, the work of its worker, and what it reached.
 
 use crate::app::theme::Palette;
+use crate::app::theme::number_field::{number_field, spoken};
 use crate::app::windows::exporting::Exporter;
 use crate::conformal::PerSide;
 use crate::export::FormulaFormat;
@@ -9,7 +10,7 @@ use crate::model::export::ReadyFile;
 use crate::rational::Reached;
 use crate::session::SideState;
 use crate::worker::{Finding, FormulaTask};
-use egui::{DragValue, RichText, Ui};
+use egui::{RichText, Ui};
 
 /// The formula that is computed, or the one that was computed last.
 #[derive(Debug, Default)]
@@ -124,8 +125,9 @@ impl Exporter {
         ui.end_row();
         ui.label(tr(key::digits()));
         let mut digits = self.request.digits();
-        let field = DragValue::new(&mut digits).range(self.request.formula.digits()).speed(0.05);
+        let field = number_field(&mut digits).range(self.request.formula.digits()).speed(0.05);
         let response = ui.add_sized([84.0, height], field).on_hover_text(tr(key::digits_tooltip()));
+        let response = spoken(response, tr(key::digits()), f64::from(digits));
         self.note(key::digits().english(), &response);
         if response.changed() {
             self.request.digits = digits;

@@ -2,13 +2,14 @@
 
 use crate::app::panels::play_panel;
 use crate::app::theme::Palette;
+use crate::app::theme::number_field::{number_field, spoken};
 use crate::app::windows::exporting::window::{Exporter, Surroundings};
 use crate::conformal::Side;
 use crate::export::FileFormat;
 use crate::language::{Label, Message, key, say, tr};
 use crate::model::export::request::Kind;
 use crate::render::{FilmFormat, MOST_FRAMES, SECONDS};
-use egui::{Button, DragValue, Response, RichText, Ui, vec2};
+use egui::{Button, Response, RichText, Ui, vec2};
 
 /// The sizes offered as buttons, in pixels.
 const SIZES: [([u32; 2], &str); 4] = [
@@ -105,8 +106,9 @@ impl Exporter {
             });
             ui.horizontal(|ui| {
                 for (k, name) in [(0, tr(key::width_pixels())), (1, tr(key::height_pixels()))] {
-                    let field = DragValue::new(&mut self.request.size[k]).range(*SIDES.start()..=most).suffix(" px");
+                    let field = number_field(&mut self.request.size[k]).range(*SIDES.start()..=most).suffix(" px");
                     let response = ui.add_sized([84.0, height], field).on_hover_text(name);
+                    let response = spoken(response, name, f64::from(self.request.size[k]));
                     self.note(if k == 0 { "Width" } else { "Height" }, &response);
                     if k == 0 {
                         ui.label("×");
@@ -150,14 +152,16 @@ impl Exporter {
         });
         ui.end_row();
         ui.label(tr(key::duration()));
-        let seconds = DragValue::new(&mut self.request.seconds).range(SECONDS).speed(0.1).max_decimals(1).suffix(" s");
+        let seconds = number_field(&mut self.request.seconds).range(SECONDS).speed(0.1).max_decimals(1).suffix(" s");
         let response = ui.add_sized([84.0, height], seconds).on_hover_text(tr(key::duration_tooltip()));
+        let response = spoken(response, tr(key::duration()), self.request.seconds);
         self.note(key::duration().english(), &response);
         ui.end_row();
         ui.label(tr(key::pictures()));
         ui.horizontal(|ui| {
-            let frames = DragValue::new(&mut self.request.frames).range(2..=MOST_FRAMES);
+            let frames = number_field(&mut self.request.frames).range(2..=MOST_FRAMES);
             let response = ui.add_sized([84.0, height], frames).on_hover_text(tr(key::pictures_tooltip()));
+            let response = spoken(response, tr(key::pictures()), f64::from(self.request.frames));
             self.note(key::pictures().english(), &response);
             let rate = f64::from(self.request.frames) / self.request.seconds;
             let weak = Palette::of(ui.visuals()).weak;

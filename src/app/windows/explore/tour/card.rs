@@ -1,11 +1,14 @@
-//! The card of a step of the tour: its words and the buttons. It lies beside the pictures, on an upright phone below.
+//! The card of a step of the tour or of a lesson: its words and the buttons. It lies beside the pictures, on an upright
+//! phone below.
 
-use super::steps;
+use super::Stop;
 use crate::app::input::action::{Action, Actions, ExploreAction};
 use crate::app::input::presentation;
+use crate::app::plots::{BoundaryPlace, Plots};
 use crate::app::theme::widgets::give_keyboard;
 use crate::app::theme::{FINGER_HEIGHT, PHONE_WIDTH, Palette, bold};
 use crate::language::{key, say, tr};
+use crate::model::Model;
 use crate::model::motion::PlayAction;
 use egui::{Frame, Label, Margin, Panel, RichText, ScrollArea, Ui};
 
@@ -31,76 +34,141 @@ pub fn is_low(ui: &Ui) -> bool {
     ui.ctx().content_rect().height() < LOW_SCREEN
 }
 
-/// Shows the card of a step, whose points move if it `is_moving`; with `takes_focus` the button to go on gets the
-/// keyboard focus.
-pub fn show(ui: &mut Ui, step: usize, is_moving: bool, takes_focus: bool, actions: &mut Actions) {
+/// What the card shows.
+pub struct Card<'a> {
+    pub stop: Stop<'a>,
+    /// The step, counted from 0, and the number of steps.
+    pub step: usize,
+    pub count: usize,
+    /// Whether it is a lesson.
+    pub is_lesson: bool,
+    /// What the step does by itself.
+    pub motion: Motion,
+    /// Whether the button to go on gets the keyboard focus.
+    pub takes_focus: bool,
+    /// The plots that have no room elsewhere.
+    pub plots: Option<CardPlots<'a>>,
+}
+
+/// The state of what a step does by itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Motion {
+    /// It waits until the user asks for it.
+    Waiting,
+    /// Points move.
+    Moving,
+    /// It is over, or there is none.
+    Over,
+}
+
+/// The plots for a card.
+#[derive(Clone, Copy)]
+pub struct CardPlots<'a> {
+    pub plots: &'a Plots,
+    pub model: &'a Model,
+    /// Whether they are shown in place of the words.
+    pub are_shown: bool,
+}
+
+/// The width of a card beside the pictures; `None` if it is below them.
+pub fn width_beside(ui: &Ui) -> Option<f32> {
     let screen = ui.ctx().content_rect();
     let is_beside = screen.width() >= PHONE_WIDTH || screen.width() > screen.height();
-    let margin = if is_low(ui) { Margin::symmetric(12, 8) } else { Margin::symmetric(18, 14) };
-    let frame = Frame::new().fill(Palette::of(ui.visuals()).raised).inner_margin(margin);
-    let panel = if is_beside {
-        let width = (WIDTH_SHARE * screen.width()).clamp(WIDTHS[0], WIDTHS[1]);
-        Panel::left("tour").exact_size(width.min(MOST_WIDTH * screen.width()))
-    } else {
-        let height = ui.available_height() - PICTURES * screen.height() - SEPARATOR;
-        Panel::bottom("tour").exact_size(height.min(MOST_HEIGHT * screen.height()))
-    };
-    panel.resizable(false).frame(frame).show(ui, |ui| content(ui, step, is_moving, takes_focus, actions));
+    let width = (WIDTH_SHARE * screen.width()).clamp(WIDTHS[0], WIDTHS[1]).min(MOST_WIDTH * screen.width());
+    is_beside.then_some(width)
 }
 
-/// The buttons at the lower edge, the words in the room above them, scrolling where they do not fit.
-fn content(ui: &mut Ui, step: usize, is_moving: bool, takes_focus: bool, actions: &mut Actions) {
-    let all = steps();
-    let Some(stop) = all.get(step) else { return };
-    let Palette { text, weak, .. } = Palette::of(ui.visuals());
-    let large = usize::from(presentation::is_large(ui.ctx()));
-    let row = Frame::new().inner_margin(Margin { top: 6, ..Margin::ZERO });
-    Panel::bottom("tour-buttons").resizable(false).show_separator_line(false).frame(row).show(ui, |ui| {
-        ui.horizontal_wrapped(|ui| {
-            buttons(ui, step, all.len(), takes_focus, actions);
-            if !stop.motions.is_empty() {
-                play_button(ui, step, is_moving, actions);
-            }
+impl Card<'_> {
+    /// Shows the card; returns the place under the pointer in its plots.
+    pub fn show(&self, ui: &mut Ui, actions: &mut Actions) -> Option<BoundaryPlace> {
+        let screen = ui.ctx().content_rect();
+        let margin = if is_low(ui) { Margin::symmetric(12, 8) } else { Margin::symmetric(18, 14) };
+        let frame = Frame::new().fill(Palette::of(ui.visuals()).raised).inner_margin(margin);
+        let panel = if let Some(width) = width_beside(ui) {
+            Panel::left("tour").exact_size(width)
+        } else {
+            let height = ui.available_height() - PICTURES * screen.height() - SEPARATOR;
+            Panel::bottom("tour").exact_size(height.min(MOST_HEIGHT * screen.height()))
+        };
+        panel.resizable(false).frame(frame).show(ui, |ui| self.content(ui, actions)).inner
+    }
+
+    /// The buttons at the lower edge, in the room above them the words, scrolling where they do not fit, or the plots.
+    fn content(&self, ui: &mut Ui, actions: &mut Actions) -> Option<BoundaryPlace> {
+        let row = Frame::new().inner_margin(Margin { top: 6, ..Margin::ZERO });
+        Panel::bottom("tour-buttons").resizable(false).show_separator_line(false).frame(row).show(ui, |ui| {
+            ui.horizontal_wrapped(|ui| {
+                self.buttons(ui, actions);
+                if !self.stop.motions.is_empty() || (self.motion == Motion::Waiting && self.stop.walks) {
+                    self.play_button(ui, actions);
+                }
+                if let Some(CardPlots { are_shown, .. }) = self.plots {
+                    plots_button(ui, are_shown, actions);
+                }
+            });
         });
-    });
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        ui.label(RichText::new(say(&key::of(step + 1, all.len()))).small().color(weak));
-        ui.add(Label::new(RichText::new(tr(stop.title)).font(bold(TITLE[large])).color(text)).wrap());
-        ui.add_space(4.0);
-        ui.add(Label::new(RichText::new(tr(stop.text)).size(WORDS[large]).color(text)).wrap());
-    });
+        if let Some(CardPlots { plots, model, .. }) = self.plots.filter(|plots| plots.are_shown) {
+            return plots.show_one(ui, model, actions);
+        }
+        // each step begins at the top
+        let words = ScrollArea::vertical().id_salt(("tour-words", self.step)).auto_shrink(false);
+        words.show(ui, |ui| self.words(ui));
+        None
+    }
+
+    fn words(&self, ui: &mut Ui) {
+        let Palette { text, weak, .. } = Palette::of(ui.visuals());
+        let large = usize::from(presentation::is_large(ui.ctx()));
+        let Stop { title, text: words, .. } = self.stop;
+        ui.label(RichText::new(say(&key::of(self.step + 1, self.count))).small().color(weak));
+        if !title.is_empty() {
+            ui.add(Label::new(RichText::new(title).font(bold(TITLE[large])).color(text)).wrap());
+            ui.add_space(4.0);
+        }
+        ui.add(Label::new(RichText::new(words).size(WORDS[large]).color(text)).wrap());
+    }
+
+    /// The buttons of every step, in a row.
+    fn buttons(&self, ui: &mut Ui, actions: &mut Actions) {
+        let mut act = |action| actions.push(Action::Explore(action));
+        ui.spacing_mut().interact_size.y = FINGER_HEIGHT;
+        if ui.add_enabled(self.step > 0, egui::Button::new(tr(key::back()))).clicked() {
+            act(ExploreAction::Step(self.step - 1));
+        }
+        let is_last = self.step + 1 == self.count;
+        let label = tr(if is_last { key::keep_picture() } else { key::next() });
+        let on = ui.button(label);
+        let on = if is_last { on.on_hover_text(tr(key::keep_picture_tooltip())) } else { on };
+        if self.takes_focus {
+            give_keyboard(&on, label);
+        }
+        if on.clicked() {
+            act(if is_last { ExploreAction::LeaveTour { keeps: true } } else { ExploreAction::Step(self.step + 1) });
+        }
+        let explained = if self.is_lesson { key::end_lesson_tooltip() } else { key::end_tour_tooltip() };
+        if ui.button(tr(key::end())).on_hover_text(tr(explained)).clicked() {
+            act(ExploreAction::LeaveTour { keeps: false });
+        }
+    }
+
+    /// The button that stops the points, or shows the step again.
+    fn play_button(&self, ui: &mut Ui, actions: &mut Actions) {
+        let again = Action::Explore(ExploreAction::Again);
+        let (label, action) = match self.motion {
+            Motion::Waiting => (key::show_step(), again),
+            Motion::Moving => (key::stop_here(), Action::Play(PlayAction::Toggle)),
+            Motion::Over => (key::show_again(), again),
+        };
+        if ui.button(tr(label)).clicked() {
+            actions.push(action);
+        }
+    }
 }
 
-/// The buttons of a step out of `count`, in a row.
-fn buttons(ui: &mut Ui, step: usize, count: usize, takes_focus: bool, actions: &mut Actions) {
-    let mut act = |action| actions.push(Action::Explore(action));
-    ui.spacing_mut().interact_size.y = FINGER_HEIGHT;
-    if ui.add_enabled(step > 0, egui::Button::new(tr(key::back()))).clicked() {
-        act(ExploreAction::Tour(step - 1));
-    }
-    let is_last = step + 1 == count;
-    let label = tr(if is_last { key::keep_picture() } else { key::next() });
-    let on = ui.button(label);
-    let on = if is_last { on.on_hover_text(tr(key::keep_picture_tooltip())) } else { on };
-    if takes_focus {
-        give_keyboard(&on, label);
-    }
-    if on.clicked() {
-        act(if is_last { ExploreAction::LeaveTour { keeps: true } } else { ExploreAction::Tour(step + 1) });
-    }
-    if ui.button(tr(key::end())).on_hover_text(tr(key::end_tour_tooltip())).clicked() {
-        act(ExploreAction::LeaveTour { keeps: false });
-    }
-}
-
-/// The button that stops the points, or shows the step again.
-fn play_button(ui: &mut Ui, step: usize, is_moving: bool, actions: &mut Actions) {
-    let (label, action) = if is_moving {
-        (key::stop_here(), Action::Play(PlayAction::Toggle))
-    } else {
-        (key::show_again(), Action::Explore(ExploreAction::Tour(step)))
-    };
-    if ui.button(tr(label)).clicked() {
-        actions.push(action);
+/// The button that shows the plots in place of the words, or the words again.
+fn plots_button(ui: &mut Ui, are_shown: bool, actions: &mut Actions) {
+    let button = egui::Button::selectable(are_shown, tr(key::plots())).frame_when_inactive(true);
+    if ui.add(button).clicked() {
+        actions.push(Action::Explore(ExploreAction::CardPlots(!are_shown)));
     }
 }

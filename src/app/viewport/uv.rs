@@ -1,0 +1,162 @@
+//! The coordinates u and v of a surface's layout, drawn over the outline in which the layout lies: the unit square with
+//! its grid and numbered axes, and the seams: the outline and the holes of the surface.
+//!
+//! The coordinates are those that a saved surface gets ([`flattened`] with the settings of the export window), so that a
+//! line at u = 0.2 goes through the texels with that coordinate.
+
+use crate::app::theme::Palette;
+use crate::app::theme::widgets::caption_font;
+use crate::app::viewport::view::View;
+use crate::conformal::Side;
+use crate::export::Placement;
+use crate::geometry::DVec2;
+use crate::language::number;
+use crate::model::Model;
+use crate::model::export::flattened;
+use crate::model::export::request::Layout;
+use egui::{Align2, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
+
+/// The lines of the grid in each direction beside the first.
+const LINES: u32 = 10;
+/// The least distance between two numbers at an axis, in points; else only the ends are numbered.
+const BETWEEN_NUMBERS: f32 = 44.0;
+/// From an axis to its numbers, in points.
+const BESIDE_AXIS: f32 = 5.0;
+/// The strengths of the grid's lines and of the square's edges, and their widths in points.
+const GRID: (f32, f32) = (0.4, 1.0);
+const EDGE: (f32, f32) = (0.9, 1.5);
+/// The lengths of the dashes and gaps around a hole, in points.
+const DASHES: [f32; 2] = [6.0, 4.0];
+
+/// Whether the coordinates are shown, and where they lie.
+#[derive(Debug, Default)]
+pub struct UvGrid {
+    /// Whether they are shown.
+    pub is_shown: bool,
+    /// The map and the settings that `placement` is of.
+    of: Option<(u64, Layout)>,
+    placement: Option<Placement>,
+}
+
+impl UvGrid {
+    /// Follows the map at rest; while it moves, the last coordinates stay.
+    pub fn update(&mut self, model: &Model, layout: Layout) {
+        let wanted = (model.generation(), layout);
+        if !self.is_shown || self.of == Some(wanted) || (self.placement.is_some() && !model.is_ready()) {
+            return;
+        }
+        self.of = Some(wanted);
+        self.placement = flattened(model, layout).map(|flattened| flattened.placement);
+    }
+
+    /// Paints the coordinates over the outline of the layout; nothing on the surface's side.
+    pub fn paint(&self, ui: &Ui, side: Side, model: &Model, view: &View) {
+        let Some(placement) = self.placement.filter(|_| self.is_shown && model.abilities().has_layout()) else {
+            return;
+        };
+        let Some(map) = model.map().filter(|map| map.mapped_side() == side.other()) else { return };
+        let painter = ui.painter_at(view.rect);
+        let at = |u: f64, v: f64| view.to_screen(placement.position(DVec2::new(u, v)));
+        grid(ui, &painter, at);
+        numbers(ui, &painter, at);
+        let Some(surface) = map.mapped().surface() else { return };
+        for hole in surface.holes() {
+            let places: Vec<DVec2> =
+                hole.iter().chain(hole.first()).filter_map(|&v| map.images().get(v as usize).copied()).collect();
+            seam(ui, &painter, &places.iter().map(|&place| view.to_screen(place)).collect::<Vec<_>>());
+        }
+    }
+}
+
+fn grid(ui: &Ui, painter: &Painter, at: impl Fn(f64, f64) -> Pos2) {
+    let ink = Palette::of(ui.visuals()).text;
+    for k in 0..=LINES {
+        let part = f64::from(k) / f64::from(LINES);
+        let (strength, width) = if k == 0 || k == LINES { EDGE } else { GRID };
+        let stroke = Stroke::new(width, ink.gamma_multiply(strength));
+        painter.line_segment([at(part, 0.0), at(part, 1.0)], stroke);
+        painter.line_segment([at(0.0, part), at(1.0, part)], stroke);
+    }
+}
+
+/// The numbers at the axes: every fifth of the way where there is room, else at the ends and in the middle; the last one in
+/// the viewport names its axis.
+fn numbers(ui: &Ui, painter: &Painter, at: impl Fn(f64, f64) -> Pos2) {
+    let parts = if at(0.0, 0.0).distance(at(1.0, 0.0)) >= 5.0 * BETWEEN_NUMBERS { 5 } else { 2 };
+    let part = |k: u32| f64::from(k) / f64::from(parts);
+    let below = |k: u32| at(part(k), 0.0) + vec2(0.0, BESIDE_AXIS);
+    let beside = |k: u32| at(0.0, part(k)) - vec2(BESIDE_AXIS, 0.0);
+    let axis = |name: &str, align: Align2, from: u32, place: &dyn Fn(u32) -> Pos2| {
+        let seen: Vec<u32> = (from..=parts).filter(|&k| painter.clip_rect().contains(place(k))).collect();
+        for &k in &seen {
+            let text = number(part(k), 1);
+            let named = seen.last() == Some(&k);
+            word(ui, painter, place(k), align, if named { format!("{name} = {text}") } else { text });
+        }
+    };
+    axis("u", Align2::CENTER_TOP, 0, &below);
+    axis("v", Align2::RIGHT_CENTER, 1, &beside);
+}
+
+/// A word on a ground that keeps it readable over any pattern, moved into the viewport.
+fn word(ui: &Ui, painter: &Painter, at: Pos2, align: Align2, text: String) {
+    let palette = Palette::of(ui.visuals());
+    let galley = painter.layout_no_wrap(text, caption_font(ui), palette.text);
+    let area = align.anchor_size(at, galley.size()).expand2(vec2(3.0, 1.0));
+    let clip = painter.clip_rect();
+    let moved = (area.min.max(clip.min)).min(clip.max - area.size());
+    let area = Rect::from_min_size(moved, area.size());
+    painter.rect_filled(area, 4, palette.canvas.gamma_multiply(0.85));
+    painter.galley(area.min + vec2(3.0, 1.0), galley, palette.text);
+}
+
+/// The edge of a hole.
+fn seam(ui: &Ui, painter: &Painter, points: &[Pos2]) {
+    let palette = Palette::of(ui.visuals());
+    painter.line(points.to_vec(), Stroke::new(4.0, palette.canvas));
+    painter.extend(Shape::dashed_line(points, Stroke::new(2.0, palette.accent), DASHES[0], DASHES[1]));
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::export::FileFormat;
+    use crate::model::export::{FileRequest, file};
+    use crate::model::scene::Offscreen;
+    use crate::outline::Preset;
+    use crate::session::{Command, OutlineSpec, Session, SurfaceShape, SurfaceSpec};
+    use crate::surface::SurfacePreset;
+
+    #[test]
+    fn the_grid_lies_where_the_saved_coordinates_say() {
+        let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 60 };
+        let session = Session::with([
+            Command::SetOutline { side: Side::Source, outline: OutlineSpec::Preset(Preset::Square) },
+            Command::SetSurface { side: Side::Target, surface: SurfaceSpec::new(shape) },
+        ]);
+        let model = Offscreen::new(&session, [None, None].into(), 1.0).unwrap().into_model();
+        let placement = |layout: Layout| {
+            let mut grid = UvGrid { is_shown: true, ..UvGrid::default() };
+            grid.update(&model, layout);
+            grid.placement.unwrap()
+        };
+        for layout in [true, false].map(|unit| Layout { unit, corners: false }) {
+            let request = FileRequest { format: FileFormat::Obj, side: None, unit: layout.unit, corners: false };
+            let saved = String::from_utf8(file(&model, request, None).unwrap().unwrap().bytes).unwrap();
+            let coordinates = saved.lines().filter_map(|line| line.strip_prefix("vt ")).map(|line| {
+                let mut numbers = line.split(' ').map(|number| number.parse().unwrap());
+                DVec2::new(numbers.next().unwrap(), numbers.next().unwrap())
+            });
+            for (uv, place) in coordinates.zip(model.map().unwrap().texture_coordinates()) {
+                let error = placement(layout).position(uv).distance(place.unwrap());
+                assert!(error < 1e-12, "{layout:?}: {uv} lies {error:e} from {place:?}");
+            }
+        }
+        // where the layout hits the outline's corners, the unit square is the outline
+        let (low, high) = model.extent(Side::Source).unwrap();
+        let whole = placement(Layout { unit: true, corners: true });
+        let errors = [whole.position(DVec2::ZERO) - low, whole.position(DVec2::ONE) - high];
+        assert!(errors.iter().all(|error| error.length() < 1e-9), "{errors:?}");
+    }
+}

@@ -1,0 +1,127 @@
+//! The arguments of `riemap map`; those of its points and samples are shared with `formula`.
+
+use super::discretization::Discretization;
+use super::side::{SideAnchor, SidePoint};
+use super::values::Size;
+use crate::conformal::PrepareSettings;
+use std::path::PathBuf;
+
+/// `riemap map SOURCE TARGET`.
+#[derive(Debug, clap::Args)]
+pub struct MapArguments {
+    /// The source: an outline, as a file (JSON, CSV, text, SVG, GeoJSON) or `preset:NAME`; or a surface, as a file
+    /// (obj, ply, stl, off, gltf, glb) or `preset:NAME[:M]` with M boundary vertices.
+    pub source: String,
+    /// The target: an outline or a surface, given like the source.
+    pub target: String,
+    /// The constraints.
+    #[command(flatten)]
+    pub points: PointArguments,
+    /// Boundary pairs in their place.
+    #[command(flatten)]
+    pub pins: super::pins::PinArguments,
+    /// The numbers of boundary samples.
+    #[command(flatten)]
+    pub samples: SampleArguments,
+    /// Cut off small loops and spikes of a file's outline instead of refusing it, and make all safe repairs of a
+    /// surface.
+    #[arg(long)]
+    pub repair: bool,
+    /// Use a surface's own cotangent weights, even negative ones, instead of flipping its edges to be Delaunay.
+    #[arg(long)]
+    pub no_intrinsic_delaunay: bool,
+    /// How outlines are discretized; kernel and solver apply to surfaces too.
+    #[command(flatten)]
+    pub discretization: Discretization,
+    /// Which mesh is mapped: the source's forward, or the target's backward into the source. If only one side is a
+    /// surface, its mesh is mapped.
+    #[arg(long, default_value = "backward")]
+    pub direction: DirectionArgument,
+    /// How the boundary map is extended into that mesh; with a surface, always harmonically.
+    #[arg(long, default_value = "harmonic")]
+    pub extension: ExtensionArgument,
+    /// Whether the mapped mesh is refined where images are long, so that they fill the other outline without folds;
+    /// auto: with adaptive samples and graded triangles, the defaults, and not with the table.
+    #[arg(long, default_value = "auto")]
+    pub refine: RefineArgument,
+    /// Write the map to this file; may be repeated; the extension selects the format: json, csv, obj, svg, png.
+    #[arg(long, value_name = "FILE")]
+    pub out: Vec<PathBuf>,
+    /// Points at which the map is evaluated.
+    #[command(flatten)]
+    pub evaluate: super::points::PointsArguments,
+    /// Size of a .png in pixels.
+    #[arg(long, value_name = "WxH", default_value = "1600x900")]
+    pub size: Size,
+    /// Print quality, timings and counts as JSON on stdout.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// The constraints of a map.
+#[derive(Debug, clap::Args)]
+pub struct PointArguments {
+    /// x₁, inside the source. In an outline, X,Y [default: its pole of inaccessibility]; in a surface, vertex V,
+    /// triangle F with weights, or the point nearest to X,Y,Z [default: the vertex farthest from the boundary].
+    #[arg(long, value_name = "X,Y|V|F:A,B,C|X,Y,Z", allow_hyphen_values = true)]
+    pub source_point: Option<SidePoint>,
+    /// x₂, the image of x₁, inside the target; same forms and defaults as x₁.
+    #[arg(long, value_name = "X,Y|V|F:A,B,C|X,Y,Z", allow_hyphen_values = true)]
+    pub target_point: Option<SidePoint>,
+    /// y₁, on the boundary of the source: the boundary point nearest to X,Y (outline) or X,Y,Z (surface), a surface's
+    /// boundary vertex V, or the point at fraction S of the boundary's length from its first point.
+    #[arg(long, value_name = "X,Y|X,Y,Z|V|@S", default_value = "@0", allow_hyphen_values = true)]
+    pub source_anchor: SideAnchor,
+    /// y₂, the image of y₁, on the boundary of the target; same forms as y₁.
+    #[arg(long, value_name = "X,Y|X,Y,Z|V|@S", default_value = "@0", allow_hyphen_values = true)]
+    pub target_anchor: SideAnchor,
+}
+
+/// Numbers of boundary samples, one for each side.
+#[derive(Debug, clap::Args)]
+pub struct SampleArguments {
+    /// Number of boundary samples of the source.
+    #[arg(long, value_name = "N", conflicts_with = "samples")]
+    pub source_samples: Option<u32>,
+    /// Number of boundary samples of the target.
+    #[arg(long, value_name = "N", conflicts_with = "samples")]
+    pub target_samples: Option<u32>,
+}
+
+/// Which mesh is mapped.
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum DirectionArgument {
+    Forward,
+    Backward,
+}
+
+/// How the boundary map is extended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum ExtensionArgument {
+    Harmonic,
+    CauchyGreen,
+    /// As --points: by Cauchy's integral over the boundary map, each vertex on its own; the mesh is not refined.
+    Exact,
+}
+
+/// Whether the mapped mesh is refined for the map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum RefineArgument {
+    Auto,
+    On,
+    Off,
+}
+
+impl RefineArgument {
+    /// Whether a map of an outline at these settings is refined.
+    pub fn refines(self, settings: &PrepareSettings) -> bool {
+        match self {
+            Self::Auto => settings.is_refined(),
+            Self::On => true,
+            Self::Off => false,
+        }
+    }
+}

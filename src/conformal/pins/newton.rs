@@ -1,0 +1,121 @@
+//! The point of a side that sees three arcs under given measures: Newton's method.
+//!
+//! In the plane the derivatives are those of [`View::derivative`]. A step that leaves the side or does not improve is
+//! halved. On a surface they are those of the discrete harmonic functions of the arcs, which are nearly right, so that
+//! each step divides the error by ten or more. Both end at rounding, or where finite elements jump from triangle to
+//! triangle.
+
+use super::arcs::Arcs;
+use super::difference;
+use super::view::View;
+use crate::conformal::{InteriorPoint, MapError, PreparedSide, Side};
+use crate::geometry::DVec2;
+
+/// Differences of measures that are rounding.
+const ROUNDING: f64 = 4e-15;
+/// Differences of measures below which a step that does not improve is not halved: what is left is rounding.
+const NOISE: f64 = 1e-11;
+/// Steps: from the error of finite elements, two or three suffice in the plane.
+const STEPS: usize = 30;
+/// Halvings of a step.
+const HALVINGS: i32 = 8;
+/// The largest difference that is left to finite elements' jumps, relative to the least of the three arcs; a larger one
+/// means that the beginning was too far off.
+const FAR: f64 = 1e-3;
+
+/// The same at a point that the side's equation does not resolve, so that measures seen from it are not exact: it is
+/// found again after the side has been prepared for it.
+const UNRESOLVED: f64 = 0.3;
+
+/// A point with the measures seen from there.
+pub type Found<'a> = (InteriorPoint, View<'a>);
+
+/// A side with three marks on its boundary and the measures that the first two arcs are to have.
+#[derive(Clone, Copy)]
+pub struct Wanted<'a> {
+    pub side: Side,
+    pub prepared: &'a PreparedSide,
+    pub marks: [f64; 3],
+    pub measures: DVec2,
+}
+
+/// A point, and by how much the measures seen from there are too large.
+struct Try<'a> {
+    view: View<'a>,
+    off: DVec2,
+}
+
+impl<'a> Wanted<'a> {
+    fn try_at(&self, x: InteriorPoint) -> Result<Try<'a>, MapError> {
+        let view = View::new(self.side, self.prepared, x, self.marks[0])?;
+        let off = view.arcs(self.marks) - self.measures;
+        Ok(Try { view, off })
+    }
+
+    /// The largest difference of the measures seen from a point of the plane; `None` outside.
+    pub fn off(&self, x: DVec2) -> Option<f64> {
+        self.try_at(x.into()).ok().map(|found| size(found.off))
+    }
+
+    /// Whether a difference is small enough for the place where it is left.
+    fn is_met(&self, off: f64, x: InteriorPoint) -> bool {
+        let is_resolved = match (x, self.prepared.equation()) {
+            (InteriorPoint::Plane(x), Some(equation)) => equation.resolves(x),
+            _ => true,
+        };
+        let most = if is_resolved { FAR } else { UNRESOLVED };
+        let DVec2 { x, y } = self.measures;
+        off <= most * x.min(y).min(1.0 - x - y)
+    }
+
+    /// The point of the plane near `x`; `None` if none was found.
+    pub fn in_plane(&self, mut x: DVec2) -> Result<Option<Found<'a>>, MapError> {
+        let mut best = self.try_at(x.into())?;
+        for _ in 0..STEPS {
+            if size(best.off) <= ROUNDING {
+                break;
+            }
+            let step = -best.view.derivative(self.marks).inverse().mul_vec2(best.off);
+            let Some(next) = self.improved(x, size(best.off), step)? else { break };
+            (x, best) = next;
+        }
+        Ok(self.is_met(size(best.off), x.into()).then(|| (x.into(), best.view)))
+    }
+
+    /// The step, or a part of it, after which the difference is smaller than `before`.
+    fn improved(&self, x: DVec2, before: f64, step: DVec2) -> Result<Option<(DVec2, Try<'a>)>, MapError> {
+        let halvings = if before > NOISE { HALVINGS } else { 1 };
+        let parts = (0..halvings).map(|k| x + step * 0.5f64.powi(k));
+        for next in parts.filter(|&next| next != x && self.prepared.contains(next)) {
+            let found = self.try_at(next.into())?;
+            if size(found.off) < before {
+                return Ok(Some((next, found)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The point of the surface; `None` if none was found.
+    pub fn on_surface(&self, arcs: &Arcs) -> Result<Option<Found<'a>>, MapError> {
+        let mut asked = self.measures;
+        let mut best: Option<(InteriorPoint, Try<'a>)> = None;
+        for _ in 0..STEPS {
+            let Some(x) = arcs.point(self.prepared, asked) else { break };
+            let found = self.try_at(x)?;
+            if best.as_ref().is_some_and(|(_, least)| size(found.off) >= size(least.off)) {
+                break;
+            }
+            asked -= found.off;
+            let is_exact = size(found.off) <= ROUNDING;
+            best = Some((x, found));
+            if is_exact {
+                break;
+            }
+        }
+        Ok(best.filter(|(x, found)| self.is_met(size(found.off), *x)).map(|(x, found)| (x, found.view)))
+    }
+}
+
+fn size(off: DVec2) -> f64 {
+    difference(off, DVec2::ZERO)
+}
