@@ -52,6 +52,11 @@ impl<'a> CurveMap<'a> {
         self.onto.sharp().boundary().curve()
     }
 
+    /// The anchor's image: the other curve's anchor.
+    pub fn onto_anchor(&self) -> CurvePoint {
+        self.onto.sharp().anchor()
+    }
+
     /// The measures of a point of the mapped curve from the anchor, counter-clockwise and clockwise. They add up to 1;
     /// each keeps its relative accuracy next to the anchor.
     pub fn measure_at(&self, point: CurvePoint) -> (f64, f64) {

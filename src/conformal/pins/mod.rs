@@ -214,13 +214,16 @@ impl Pins {
     }
 }
 
-/// The distance between the image of a source's boundary point and the target's.
+/// The distance between the image of a source's boundary point and the target's. A source within rounding of the anchor is
+/// the anchor: in a crowded part their images may be far from each other.
 fn miss(map: &ConformalMap, pair: PerSide<f64>) -> f64 {
     if let Some(curves) = map.curve_map(Side::Source) {
         let at = |side: Side| map.side(side).curve_boundary().map(|boundary| boundary.at_fraction(pair[side]));
         if let [Some(from), Some(onto)] = Side::BOTH.map(at) {
+            let is_anchor = map.constraints().is_some_and(|known| order::is_same(known.anchors.source, pair.source));
+            let image = if is_anchor { curves.onto_anchor() } else { curves.image(from) };
             let curve = curves.onto_curve();
-            return curve.position(curves.image(from)).distance(curve.position(onto));
+            return curve.position(image).distance(curve.position(onto));
         }
     }
     let [source, target] = Side::BOTH.map(|side| (map.side(side), map.measure(side)));

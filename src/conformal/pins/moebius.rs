@@ -1,6 +1,5 @@
 //! Möbius maps of the unit disk onto itself: z ↦ (a z + b)/(b̄ z + ā).
 
-use crate::geometry::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -27,22 +26,20 @@ impl Moebius {
     /// The map that takes three points of the circle to three points of the circle in the same order; `None` for another
     /// order, or coinciding points.
     ///
-    /// (a z + b)/(b̄ z + ā) is w on the circle where a z + b is a real multiple of √(z w), which is one linear equation
-    /// for the parts of a and b.
+    /// With z = v², w = u² on the circle, (a z + b)/(b̄ z + ā) is w where a v + b v̄ = r u for a real r. The left side is a
+    /// real linear map of v; it takes the dependency Σ v_k sin(arg v_{k+2} − arg v_{k+1}) = 0 of three directions to that of
+    /// their images, which gives the r_k. Nothing cancels where the points are close to each other.
     pub fn through(from: [Complex64; 3], onto: [Complex64; 3]) -> Option<Self> {
-        let equation = |k: usize| {
-            let [z, w] = [from[k].arg(), onto[k].arg()];
-            let (u, v) = (0.5 * (z - w), 0.5 * (z + w));
-            [u.sin(), u.cos(), -v.sin(), v.cos()]
-        };
-        let [x, y, z] = [0, 1, 2].map(equation);
-        // the vector orthogonal to all three
-        let minor = |left_out: usize| {
-            let columns = (0..4).filter(|&k| k != left_out).map(|k| DVec3::new(x[k], y[k], z[k]));
-            let columns: Vec<DVec3> = columns.collect();
-            columns[0].cross(columns[1]).dot(columns[2])
-        };
-        Self::new(Complex64::new(minor(0), -minor(1)), Complex64::new(minor(2), -minor(3)))
+        let [v, u] = [from, onto].map(|points| points.map(|z| 0.5 * z.arg()));
+        let gap = |angles: [f64; 3], k: usize| (angles[(k + 2) % 3] - angles[(k + 1) % 3]).sin();
+        let image = |k: usize| Complex64::from_polar(gap(u, k) / gap(v, k), u[k]);
+        // the two directions farthest from each other
+        let left_out = (0..3).max_by(|&j, &k| gap(v, j).abs().total_cmp(&gap(v, k).abs()))?;
+        let [j, k] = [(left_out + 1) % 3, (left_out + 2) % 3];
+        let [p, q] = [j, k].map(image);
+        let [s, t] = [j, k].map(|k| Complex64::from_polar(1.0, v[k]));
+        let area = Complex64::new(0.0, -2.0 * gap(v, left_out));
+        Self::new((p * t.conj() - q * s.conj()) / area, (q * s - p * t) / area)
     }
 
     /// This map after another one.
@@ -74,14 +71,16 @@ mod tests {
     #[test]
     fn three_points_are_taken_to_three_points_and_the_rest_follows() {
         let known = Moebius::small(2.0, Complex64::new(0.3, -0.6)).unwrap();
-        for angles in [[0.1, 2.0, 4.0], [6.0, 0.2, 3.0], [5.0, 3.0, 1.0], [0.0, 1e-6, 2e-6]] {
+        // an error of rounding in the points is divided by the square of their distance elsewhere
+        for (angles, elsewhere) in
+            [([0.1, 2.0, 4.0], 1e-13), ([6.0, 0.2, 3.0], 1e-13), ([5.0, 3.0, 1.0], 1e-13), ([0.0, 1e-4, 2e-4], 1e-6)]
+        {
             let from = circle(angles);
             let found = Moebius::through(from, from.map(|z| known.apply(z))).unwrap();
-            let z = Complex64::from_polar(1.0, 1.3);
-            assert!((found.apply(z) - known.apply(z)).norm() < 1e-3, "{angles:?}");
-            for z in from {
-                assert!((found.apply(z) - known.apply(z)).norm() < 1e-9, "{angles:?}");
-            }
+            let off = |z: Complex64| (found.apply(z) - known.apply(z)).norm();
+            let rest = off(Complex64::from_polar(1.0, 1.3));
+            println!("{angles:?}: {:?}, elsewhere {rest:e}", from.map(off));
+            assert!(rest < elsewhere && from.into_iter().all(|z| off(z) < 1e-11), "{angles:?}");
         }
         let [other_order, same] = [[0.1, 4.0, 2.0], [0.1, 0.1, 4.0]].map(circle);
         assert_eq!(Moebius::through(circle([0.1, 2.0, 4.0]), other_order), None);

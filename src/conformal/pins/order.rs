@@ -9,10 +9,7 @@ const SAME: f64 = 1e-12;
 /// Checks that the pins differ on each side and run around both in one order.
 pub fn check(pairs: &[PerSide<f64>]) -> Result<(), PinError> {
     for side in Side::BOTH {
-        let same = |i: usize, j: usize| {
-            let gap = (pairs[i][side] - pairs[j][side]).abs();
-            gap.min(1.0 - gap) < SAME
-        };
+        let same = |i: usize, j: usize| is_same(pairs[i][side], pairs[j][side]);
         let pairs_of = (0..pairs.len()).flat_map(|j| (0..j).map(move |i| [i, j]));
         if let Some(pins) = pairs_of.into_iter().find(|&[i, j]| same(i, j)) {
             return Err(PinError::Coinciding { pins: pins.map(|k| k + 1), side });
@@ -28,6 +25,12 @@ pub fn check(pairs: &[PerSide<f64>]) -> Result<(), PinError> {
         }
     }
     Ok(())
+}
+
+/// Whether two fractions are one place.
+pub fn is_same(a: f64, b: f64) -> bool {
+    let gap = (a - b).rem_euclid(1.0);
+    gap.min(1.0 - gap) < SAME
 }
 
 /// Whether three places of a boundary are met in this order on the way around it counter-clockwise.

@@ -46,7 +46,7 @@ impl ConformalMap {
     }
 
     /// The constraints of the last complete update; `None` before it.
-    pub(super) fn constraints(&self) -> Option<Constraints> {
+    pub(in crate::conformal) fn constraints(&self) -> Option<Constraints> {
         let [source, target] = Side::BOTH.map(|side| self.sides[side].constraint());
         let (source, target) = (source?, target?);
         Some(Constraints { points: PerSide::new(source.0, target.0), anchors: PerSide::new(source.1, target.1) })
