@@ -139,7 +139,7 @@ fn any_other_request_supersedes_a_mesh_which_is_requested_again() {
     run(&stale, &mut model);
     assert!(!model.refines_in_refresh(), "it is stale");
     // an outline that is refused leaves the map as it was, still to be refined
-    let failed = Response::Failed(Failure { text: Message::from("no"), repairable: false });
+    let failed = Response::Failed(Failure::new("no"));
     model.accept(side, requests[0].1.generation, failed);
     rest(&mut model);
     let fresh = at_rest([Preset::Disk, Preset::Star]);
@@ -154,7 +154,7 @@ fn a_mesh_that_cannot_be_made_leaves_the_full_map_with_the_reason() {
         if dies {
             model.worker_died(side, Some(request.generation), &text);
         } else {
-            let failed = Response::Failed(Failure { text, repairable: false });
+            let failed = Response::Failed(Failure { text, repairable: false, sketch: None });
             model.accept(side, request.generation, failed);
         }
         model.refresh(false);

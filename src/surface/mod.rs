@@ -5,6 +5,7 @@
 //! | bytes → [`Surface`] (feature `io`) | `read` |
 //! | changes made by a reader, positions in files | `note` |
 //! | connectivity, and reasons why a surface is not a disk | `survey`, `duplicates`, `topology_error` |
+//! | all places of a fault, for a picture | `faults` |
 //! | safe repairs, each reported | `repair`, `fill` |
 //! | numbering: boundary loop first, interior after | `disk` |
 //! | the filled boundary loops, and the triangles without their filling | `holes` |
@@ -18,6 +19,7 @@ mod disk;
 mod duplicates;
 mod edges;
 mod farthest;
+mod faults;
 mod fill;
 mod head;
 mod holes;
@@ -38,6 +40,7 @@ mod tree_tests;
 
 pub use disk::SurfaceMesh;
 pub use farthest::{at_vertex, farthest_from_boundary};
+pub use faults::Faults;
 pub use nearest::{nearest_on_boundary, nearest_on_boundary_to_ray};
 pub use note::{Place, SurfaceNote};
 pub use preset::{SurfacePreset, UnknownSurfacePreset};

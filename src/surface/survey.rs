@@ -83,7 +83,8 @@ pub(super) fn check_triangles(surface: &Surface) -> Result<(), TopologyError> {
     }
 }
 
-fn is_flat([a, b, c]: [DVec3; 3]) -> bool {
+/// Whether a triangle has no area.
+pub(super) fn is_flat([a, b, c]: [DVec3; 3]) -> bool {
     let longest = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
     let double_area = (b - a).cross(c - a).length();
     double_area.is_nan() || double_area <= FLAT * longest
@@ -108,11 +109,17 @@ pub(super) fn check_edges(triangles: &[[u32; 3]], edges: &EdgeTable) -> Result<(
     Err(TopologyError::NonManifoldEdge { edge, triangles: at, count: 1 + crowded.count() })
 }
 
+/// The half-edges, each with its other one, that neighboring triangles traverse in the same direction.
+pub(super) fn disoriented(triangles: &[[u32; 3]], twins: &[u32]) -> impl Iterator<Item = (u32, u32)> {
+    let halves = (0..twins.len() as u32).zip(twins.iter().copied());
+    let inner = halves.filter(|&(half, twin)| twin != NO_TWIN && half < twin);
+    inner.filter(|&(half, twin)| ends(triangles, half) == ends(triangles, twin))
+}
+
 /// Checks that neighboring triangles traverse their common edge in opposite directions.
 pub(super) fn check_orientation(triangles: &[[u32; 3]], twins: &[u32]) -> Result<(), TopologyError> {
-    let halves = (0..twins.len() as u32).zip(twins).filter(|&(half, &twin)| twin != NO_TWIN && half < twin);
-    let mut wrong = halves.filter(|&(half, &twin)| ends(triangles, half) == ends(triangles, twin));
-    let Some((half, &twin)) = wrong.next() else { return Ok(()) };
+    let mut wrong = disoriented(triangles, twins);
+    let Some((half, twin)) = wrong.next() else { return Ok(()) };
     turned(triangles, twins)?; // the error of a one-sided surface, which has no orientation
     let edge = ends(triangles, half).map(VertexId::new);
     let triangles = [half / 3, twin / 3].map(TriangleId::new);
@@ -121,6 +128,14 @@ pub(super) fn check_orientation(triangles: &[[u32; 3]], twins: &[u32]) -> Result
 
 /// Checks that the triangles at each vertex form one fan, open or closed.
 pub(super) fn check_vertices(triangles: &[[u32; 3]], twins: &[u32], vertices: usize) -> Result<(), TopologyError> {
+    let fans = fans(triangles, twins, vertices);
+    let Some(vertex) = fans.iter().position(|&count| count > 1) else { return Ok(()) };
+    let count = fans.iter().filter(|&&count| count > 1).count();
+    Err(TopologyError::NonManifoldVertex { vertex: VertexId::new(vertex as u32), fans: fans[vertex] as usize, count })
+}
+
+/// The number of fans of triangles, open or closed, at each vertex.
+pub(super) fn fans(triangles: &[[u32; 3]], twins: &[u32], vertices: usize) -> Vec<u32> {
     let mut fans = vec![0_u32; vertices];
     let mut visited = vec![false; twins.len()];
     for corner in 0..twins.len() {
@@ -145,9 +160,7 @@ pub(super) fn check_vertices(triangles: &[[u32; 3]], twins: &[u32], vertices: us
             }
         }
     }
-    let Some(vertex) = fans.iter().position(|&count| count > 1) else { return Ok(()) };
-    let count = fans.iter().filter(|&&count| count > 1).count();
-    Err(TopologyError::NonManifoldVertex { vertex: VertexId::new(vertex as u32), fans: fans[vertex] as usize, count })
+    fans
 }
 
 /// Numbers the connected components; triangles that share only a vertex are in different ones.

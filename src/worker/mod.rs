@@ -8,6 +8,7 @@ mod formula;
 mod invariants;
 mod packed;
 mod rehearsal;
+mod sketch;
 mod study;
 mod taken;
 mod transfer;
@@ -17,6 +18,7 @@ pub use formula::{FormulaTask, FoundFormula};
 pub use invariants::{FoundInvariants, InvariantsTask, Number, StudiedOutline};
 pub use packed::{packed, unpacked};
 pub use rehearsal::rehearsal;
+pub use sketch::{Place, Sketch};
 pub use study::{Advance, Finding, Study};
 pub use taken::{Corner, Taken};
 pub use transfer::Transfer;
@@ -162,6 +164,8 @@ pub struct Failure {
     pub text: Message,
     /// Whether safe repairs would turn the input into a surface that can be prepared.
     pub repairable: bool,
+    /// What could not be prepared, with its faults marked.
+    pub sketch: Option<Box<Sketch>>,
 }
 
 impl Failure {
@@ -170,7 +174,7 @@ impl Failure {
     where
         Message: From<&'a E>,
     {
-        Self { text: error.into(), repairable: false }
+        Self { text: error.into(), repairable: false, sketch: None }
     }
 }
 
@@ -281,6 +285,7 @@ fn surface(
     let repaired = outline.map(|outline| SurfaceMesh::repaired_around(&surface, outline));
     let disk = repaired.unwrap_or_else(|| SurfaceMesh::new(&surface)).map_err(|error| Failure {
         repairable: outline.is_none() && SurfaceMesh::repaired(&surface).is_ok(),
+        sketch: Sketch::new(&surface, &error).map(Box::new),
         ..Failure::new(&error)
     })?;
     let notes = surface.notes().iter().map(Message::from).collect();
@@ -402,6 +407,7 @@ mod tests {
         let loose = "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 2 3 4\n";
         let Response::Failed(failure) = last(file(loose), false) else { panic!() };
         assert!(failure.repairable && failure.text == key::topology_unreferenced(1_u32, 0_u32), "{failure:?}");
+        assert_eq!(failure.sketch.map(|sketch| sketch.vertices.len()), Some(1), "the vertex is marked");
         assert!(matches!(last(file(loose), true), Response::Prepared(..)));
         let closed = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
         let Response::Failed(failure) = last(file(closed), false) else { panic!() };

@@ -4,7 +4,7 @@ use crate::app::input::action::{Action, Actions, EditAction};
 use crate::app::input::handles::{Handle, HandleKind};
 use crate::app::input::locks::{Control, Locks, REFUSAL, guarded};
 use crate::app::language::words;
-use crate::app::panels::shapes;
+use crate::app::panels::{shapes, sketch};
 use crate::app::theme::explained::explain;
 use crate::app::theme::text_metrics::{button_width, text_width};
 use crate::app::theme::widgets::{MessageAnswer, drop_down_width, message_box};
@@ -15,7 +15,7 @@ use crate::app::{overlays, theme};
 use crate::conformal::Side;
 use crate::language::{Label as Words, Message, key, say, tr};
 use crate::model::Model;
-use crate::model::side::user_error::QuickFix;
+use crate::model::side::user_error::{QuickFix, UserError};
 use crate::session::Command;
 use egui::{
     Align, Color32, CornerRadius, Label, Layout, Rect, RichText, ScrollArea, Sense, Shape, Ui, UiBuilder, vec2,
@@ -167,8 +167,10 @@ const BETWEEN_MESSAGES: f32 = 4.0;
 
 /// Shows the errors of a side; they scroll if they are higher than `room`.
 pub fn messages(ui: &mut Ui, side: Side, model: &Model, room: Rect, actions: &mut Actions) {
-    let user_errors = model.user_errors(side).map(|user_error| (&user_error.text, user_error.quick_fix.as_ref()));
-    let of_map = model.map_error().filter(|(at, _)| *at == side).map(|(_, text)| (text, None));
+    let user_errors = model.user_errors(side);
+    let user_errors =
+        user_errors.map(|UserError { text, quick_fix, sketch }| (text, quick_fix.as_ref(), sketch.as_deref()));
+    let of_map = model.map_error().filter(|(at, _)| *at == side).map(|(_, text)| (text, None, None));
     let all: Vec<_> = user_errors.chain(of_map).collect();
     if all.is_empty() {
         return;
@@ -178,12 +180,16 @@ pub fn messages(ui: &mut Ui, side: Side, model: &Model, room: Rect, actions: &mu
         let between = BETWEEN_MESSAGES + ui.spacing().item_spacing.y;
         let most = area.height() / all.len() as f32 - between;
         ScrollArea::vertical().max_height(area.height()).show(ui, |ui| {
-            for (text, quick_fix) in all {
+            for (text, quick_fix, refused) in all {
                 ui.add_space(BETWEEN_MESSAGES);
+                let top = ui.cursor().top();
                 match message_box(ui, text, quick_fix.map(QuickFix::label), most) {
                     Some(MessageAnswer::Dismiss) => actions.push(Action::Dismiss(side)),
                     Some(MessageAnswer::QuickFix) => actions.push(Action::QuickFix(side)),
                     None => {}
+                }
+                if let Some(refused) = refused {
+                    sketch::show(ui, refused, most - (ui.cursor().top() - top) - BETWEEN_MESSAGES);
                 }
             }
         });

@@ -22,5 +22,6 @@ mod picture_panel;
 pub mod play_panel;
 pub mod shapes;
 pub mod side_panel;
+mod sketch;
 pub mod surface_panel;
 pub mod welcome;

@@ -8,10 +8,13 @@ use crate::app::viewport::legend;
 use crate::app::*;
 use crate::conformal::Side;
 use crate::language::{self, Language, key, tr};
+use crate::model::side::user_error::UserError;
 use crate::session::{Colouring, OutlineSpec};
+use crate::worker::Sketch;
 use egui::{Key, Rect, Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
+use std::sync::Arc;
 
 const DESK: [f32; 2] = [1440.0, 900.0];
 const TABLET: [f32; 2] = [820.0, 1180.0];
@@ -279,7 +282,7 @@ fn a_long_message_of_a_side_ends_above_the_edit_bar() {
         act(&mut screen, Action::Session(crate::session::Command::SetColouring(Colouring::Angle)));
         act(&mut screen, Action::Edit(EditAction::Toggle(Side::Target)));
         let text = "This outline is none, for a reason that takes some words. ".repeat(40);
-        screen.state_mut().model.refuse(Side::Target, crate::model::side::user_error::UserError::new(text.into()));
+        screen.state_mut().model.refuse(Side::Target, UserError::new(text.into()));
         screen.run_steps(4);
         let bar = screen.get_by_label("Smooth").rect();
         let at = bar.center() - egui::vec2(0.0, bar.height());
@@ -298,10 +301,38 @@ fn a_long_message_of_a_side_ends_above_the_edit_bar() {
 }
 
 #[test]
+fn the_faults_of_a_surface_are_shown_below_their_message_inside_of_the_picture() {
+    for size in [DESK, TABLET, PHONE, LYING_PHONE] {
+        let mut screen = screen(size, Language::English);
+        let corners = [[0, 0, 0], [32767, 0, 0], [0, 32767, 9000]];
+        let edges = vec![[corners[0], corners[1]]];
+        let sketch = Sketch { triangles: vec![corners], edges, vertices: Vec::new(), unmarked: 3 };
+        let error =
+            UserError { sketch: Some(Arc::new(sketch)), ..UserError::new("An edge has three triangles.".into()) };
+        screen.state_mut().model.refuse(Side::Target, error);
+        screen.run_steps(4);
+        let picture = screen.state().pictures.views[Side::Target].rect;
+        let message = screen.get_by_label_contains("three triangles").rect();
+        let sketch = screen.get_by_label_contains("1 of its faults in red (3 more are not marked)").rect();
+        assert!(
+            message.bottom() < sketch.top() && picture.contains_rect(sketch),
+            "{size:?}: {sketch:?} in {picture:?}"
+        );
+        screen.drag_at(sketch.center());
+        screen.hover_at(sketch.center() + egui::vec2(40.0, 0.0));
+        screen.drop_at(sketch.center() + egui::vec2(40.0, 0.0));
+        screen.run_steps(2);
+        screen.get_by_label("Close this message").click();
+        screen.run_steps(2);
+        assert!(screen.query_by_label_contains("faults in red").is_none());
+    }
+}
+
+#[test]
 fn messages_of_a_side_lie_over_its_dots() {
     let mut screen = screen(LYING_PHONE, Language::English);
     let text = "This outline is none, for a reason that takes some words. ".repeat(6);
-    screen.state_mut().model.refuse(Side::Source, crate::model::side::user_error::UserError::new(text.into()));
+    screen.state_mut().model.refuse(Side::Source, UserError::new(text.into()));
     screen.run_steps(4);
     screen.get_by_label("More").click();
     screen.run_steps(4);

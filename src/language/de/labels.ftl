@@ -368,6 +368,10 @@ back_plane_tooltip = Wieder den Umriss dieser Seite zeigen
 boundary_loops = Randkurven
 explain_boundary_loops = Diese Fläche hat mehrere Randkurven. Die hier oder mit einem Klick im Bild gewählte wird auf den Umriss abgebildet. Die anderen werden gefüllt, und die Abbildung ist die der gefüllten Fläche.
 choose_loop = Diese Randkurve zum Umriss machen
+faults_in_red = { $unmarked ->
+    [0] Was sich nicht öffnen ließ, mit den Fehlern in Rot ({ $marked }): Ziehen dreht es
+   *[other] Was sich nicht öffnen ließ, mit { $marked } der Fehler in Rot ({ $unmarked } weitere sind nicht markiert): Ziehen dreht es
+}
 loop_in_list = { $number }: Länge { $length }, { $vertices } Ecken
 loop_in_picture = Randkurve { $number } von { $count }: Klick macht sie zum Umriss
 holes = Löcher

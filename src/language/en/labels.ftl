@@ -368,6 +368,10 @@ back_plane_tooltip = Show this side's outline again
 boundary_loops = Boundary loops
 explain_boundary_loops = This surface has several boundary loops. The one chosen here, or by a click in the picture, is mapped to the outline. The others are filled, and the map is that of the filled surface.
 choose_loop = Make this loop the outline
+faults_in_red = { $unmarked ->
+    [0] What could not be opened, with its faults in red ({ $marked }): drag to turn it
+   *[other] What could not be opened, with { $marked } of its faults in red ({ $unmarked } more are not marked): drag to turn it
+}
 loop_in_list = { $number }: length { $length }, { $vertices } vertices
 loop_in_picture = Boundary loop { $number } of { $count }: click to make it the outline
 holes = Holes

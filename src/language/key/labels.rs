@@ -186,7 +186,7 @@ keys_of_messages! {
     stopped(reason);
     // panel
     picture_opened(name);
-    loop_in_list(number, length, vertices); loop_in_picture(number, count);
+    faults_in_red(marked, unmarked); loop_in_list(number, length, vertices); loop_in_picture(number, count);
     along_boundary(count); rays(count); cells_across(count); points_collapsed(collapsed, samples);
     this_map_had(count); out_order(count); all_points_kept_apart(count); largest_difference(share);
     walks(count, shown); largest_deviation(deviation, chance);

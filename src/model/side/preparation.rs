@@ -247,7 +247,8 @@ impl<R: Requested> Preparation<R> {
         if self.pending_request.is_lost(generation) {
             self.pending_request.end();
             let text = R::stopped(reason.clone());
-            (self.error, self.has_failed) = (Some(UserError { text, quick_fix: Some(QuickFix::Retry) }), true);
+            (self.error, self.has_failed) =
+                (Some(UserError { quick_fix: Some(QuickFix::Retry), ..UserError::new(text) }), true);
         }
     }
 

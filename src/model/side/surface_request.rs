@@ -7,6 +7,7 @@ use crate::model::side::request::SETTLE_SECONDS;
 use crate::model::side::user_error::{QuickFix, UserError};
 use crate::session::{SurfaceShape, SurfaceSpec};
 use crate::worker::{Failure, SurfaceSource, Task};
+use std::sync::Arc;
 
 /// A surface that is to be prepared.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,13 +33,17 @@ impl Requested for Option<SurfaceRequest> {
 
     /// Keeps the request while its user error offers a repair.
     fn fail(&mut self, failure: Failure, good: Option<&Self>) -> UserError {
-        let Failure { text, repairable } = failure;
+        let Failure { text, repairable, sketch } = failure;
         let name = self.as_ref().map(|request| names::surface_in_message(&request.spec.shape));
         let text = if let Some(name) = name { key::about(name, text) } else { text };
         if !repairable {
             *self = good.cloned().flatten();
         }
-        UserError { text, quick_fix: repairable.then_some(QuickFix::RepairSurface) }
+        UserError {
+            quick_fix: repairable.then_some(QuickFix::RepairSurface),
+            sketch: sketch.map(Arc::from),
+            ..UserError::new(text)
+        }
     }
 
     fn stopped(reason: Message) -> Message {

@@ -3,6 +3,8 @@
 use crate::language::{Label, Message, key};
 use crate::model::side::opened_file::OpenedFile;
 use crate::outline::Outline;
+use crate::worker::Sketch;
+use std::sync::Arc;
 
 /// An action that may resolve a user error.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,11 +37,13 @@ pub struct UserError {
     pub text: Message,
     /// The action that the button offers.
     pub quick_fix: Option<QuickFix>,
+    /// What is refused, with its faults marked.
+    pub sketch: Option<Arc<Sketch>>,
 }
 
 impl UserError {
     /// Without a quick fix.
     pub fn new(text: Message) -> Self {
-        Self { text, quick_fix: None }
+        Self { text, quick_fix: None, sketch: None }
     }
 }
