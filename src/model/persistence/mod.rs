@@ -172,11 +172,23 @@ impl Persistence {
         self.coming = Coming::Step;
     }
 
-    /// To be called when the files of the session have changed: they are kept with the session when it settles.
-    pub fn note_files(&mut self) {
+    /// To be called when the files of the session have changed, or it is shown in another visit: it is kept with them when
+    /// it settles.
+    pub fn owe_copy(&mut self) {
         if let Some(public) = &mut self.public {
             public.note_change(true);
         }
+    }
+
+    /// To be called when the session of the present step is shown again, after the tour or a lesson: what it settles in
+    /// is no new step.
+    pub fn come_back(&mut self) {
+        self.coming = Coming::Step;
+    }
+
+    /// The copy of the session if one is pending, also one that is not due yet: the session is about to be left.
+    pub fn overdue_copy(&mut self, session: &Session) -> Option<String> {
+        self.public.as_mut().filter(|_| !self.waits)?.overdue_copy(session)
     }
 
     /// To be called when the user changes something: the next settled session is a new step.
