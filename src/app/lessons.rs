@@ -8,8 +8,8 @@ use crate::conformal::Side;
 use crate::language::{Label, Message, key};
 use crate::model::files::FilePurpose;
 use crate::platform::{self, Kept};
-use crate::session::lesson::{self, Lesson, LessonError, Step};
 use crate::session::Touched;
+use crate::session::lesson::{self, Lesson, LessonError, Step};
 use std::sync::Arc;
 
 /// The name of a saved lesson: text editors open it.

@@ -3,11 +3,11 @@
 use super::RiemapApp;
 use crate::app::input::action::ExploreAction;
 use crate::language::{Message, key};
-use crate::session::link;
 use crate::model::persistence::visits::{Kept as KeptVisit, Left, Listed, Visit};
 use crate::platform::{self, Kept};
-use crate::session::{Session, Touched};
 use crate::session::file::{Archive, FileError};
+use crate::session::link;
+use crate::session::{Session, Touched};
 
 impl RiemapApp {
     /// Begins another visit, for a session that is about to be opened; the present one can be gone back to. Does nothing

@@ -5,8 +5,8 @@ use crate::app::tests::{ready_app, step_until};
 use crate::app::{RiemapApp, Startup};
 use crate::conformal::Side;
 use crate::model::files::FilePurpose;
-use crate::session::lesson::{self, Lesson, Step};
 use crate::outline::Preset;
+use crate::session::lesson::{self, Lesson, Step};
 use crate::session::{Command, OutlineSpec, Session, SurfaceShape, SurfaceSpec, scaled};
 use crate::surface::SurfacePreset;
 use egui::Key;
@@ -95,7 +95,7 @@ fn a_surface_that_is_not_there_yet_when_a_lesson_begins_is_there_when_it_ends() 
 fn a_lesson_gives_back_what_was_being_prepared_and_what_can_be_redone() {
     let mut screen = ready_app([1200.0, 800.0]);
     let context = screen.ctx.clone();
-    let mut carry_out = |screen: &mut Screen, action| {
+    let carry_out = |screen: &mut Screen, action| {
         screen.state_mut().carry_out(&context, vec![action]);
         step_until(screen, |app| app.model.is_ready());
         screen.run_steps(2);
@@ -144,7 +144,7 @@ fn while_an_outline_is_edited_no_picture_is_taken_or_shown_and_the_reason_is_sai
     screen.state_mut().carry_out(&context, vec![Action::Edit(EditAction::Toggle(Side::Source))]);
     screen.run_steps(3);
     screen.get_by_label("Finish or cancel the editing of the outline first");
-    for button in ["Add step", "Show", "Update", "Play lesson"] {
+    for button in ["Add step", "Update", "Play lesson"] {
         assert!(screen.get_by_label(button).accesskit_node().is_disabled(), "{button}");
     }
     assert!(!screen.get_by_label("Copy link").accesskit_node().is_disabled());

@@ -17,7 +17,7 @@ fn storage_key(what: Kept) -> &'static str {
 }
 
 /// The key in local storage of the id of the visit whose session was stored last: each tab stores its own.
-const VISIT_OF_TEXT: &str = "riemap session visit";
+const VISIT_OF_TEXT: &str = "riemap-visit";
 
 /// The fragment of the address if it contains a session.
 pub fn link() -> Option<String> {

@@ -108,8 +108,7 @@ impl Draft {
     }
 
     fn step(&mut self, back: bool) -> bool {
-        let (from, to) =
-            if back { (&mut self.past, &mut self.future) } else { (&mut self.future, &mut self.past) };
+        let (from, to) = if back { (&mut self.past, &mut self.future) } else { (&mut self.future, &mut self.past) };
         let Some((change, other)) = from.pop() else { return false };
         to.push((change, std::mem::replace(&mut self.lesson, other)));
         self.is_typing = false;

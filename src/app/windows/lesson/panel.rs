@@ -75,7 +75,10 @@ fn draft(ui: &mut Ui, editor: &LessonEditor, held: Option<Words>, asked: &mut Ve
     let mut title = editor.draft().title.clone();
     // a field's own undo is not to bring back the text of another step or lesson
     let arrangement = editor.draft.arrangement;
-    let field = TextEdit::singleline(&mut title).id_salt(("title", arrangement)).char_limit(MAX_TITLE).hint_text(tr(key::lesson_title()));
+    let field = TextEdit::singleline(&mut title)
+        .id_salt(("title", arrangement))
+        .char_limit(MAX_TITLE)
+        .hint_text(tr(key::lesson_title()));
     let response = edged(ui, |ui| ui.add(field.desired_width(f32::INFINITY)));
     response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, tr(key::lesson_title())));
     if response.changed() {
