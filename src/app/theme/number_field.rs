@@ -7,23 +7,76 @@
 
 use crate::language::decimal;
 use egui::emath::{self, Numeric};
-use egui::{DragValue, Response, WidgetInfo};
-use std::cell::RefCell;
+use egui::{DragValue, Id, Key, Response, Ui, Widget, WidgetInfo};
+use std::cell::{Cell, RefCell};
+use std::ops::RangeInclusive;
 use std::rc::Rc;
 
 /// A field of the number; the caller sets range, speed, decimals and units.
-pub fn number_field<N: Numeric>(value: &mut N) -> DragValue<'_> {
+pub fn number_field<N: Numeric>(value: &mut N) -> NumberField<'_> {
     let exact = value.to_f64();
-    let shown = Rc::new(RefCell::new(String::new()));
-    let parsed = Rc::clone(&shown);
-    DragValue::new(value)
+    let (shown, is_abandoned) = (Rc::new(RefCell::new(String::new())), Rc::new(Cell::new(false)));
+    let (unchanged, refuses) = (Rc::clone(&shown), Rc::clone(&is_abandoned));
+    let field = DragValue::new(value)
         .update_while_editing(false)
         .custom_formatter(move |value, decimals| {
             let text = decimal(&emath::format_with_decimals_in_range(value, decimals));
             shown.borrow_mut().clone_from(&text);
             text
         })
-        .custom_parser(move |text| if *parsed.borrow() == text { Some(exact) } else { typed(text) })
+        .custom_parser(move |text| match *unchanged.borrow() == text {
+            _ if refuses.get() => None,
+            true => Some(exact),
+            false => typed(text),
+        });
+    NumberField { field, is_abandoned }
+}
+
+/// egui's field with a way out: there, a field that is left by Escape takes its text one frame later nevertheless, since
+/// it is told for two frames that it was left.
+pub struct NumberField<'a> {
+    field: DragValue<'a>,
+    /// Whether the text is to be refused.
+    is_abandoned: Rc<Cell<bool>>,
+}
+
+impl NumberField<'_> {
+    /// The numbers that it takes; others become the nearest of them.
+    pub fn range<N: Numeric>(self, range: RangeInclusive<N>) -> Self {
+        Self { field: self.field.range(range), ..self }
+    }
+
+    /// The change of the number for each point of a drag.
+    pub fn speed(self, speed: f64) -> Self {
+        Self { field: self.field.speed(speed), ..self }
+    }
+
+    /// The most decimals that are shown.
+    pub fn max_decimals(self, decimals: usize) -> Self {
+        Self { field: self.field.max_decimals(decimals), ..self }
+    }
+
+    /// What is shown before the number.
+    pub fn prefix(self, prefix: impl Into<String>) -> Self {
+        Self { field: self.field.prefix(prefix.into()), ..self }
+    }
+
+    /// What is shown after the number.
+    pub fn suffix(self, suffix: impl Into<String>) -> Self {
+        Self { field: self.field.suffix(suffix.into()), ..self }
+    }
+}
+
+impl Widget for NumberField<'_> {
+    fn ui(self, ui: &mut Ui) -> Response {
+        let (escaped, now) = (Id::unique("escape in a field of a number"), ui.ctx().cumulative_pass_nr());
+        if ui.input(|input| input.key_pressed(Key::Escape)) {
+            ui.data_mut(|data| data.insert_temp(escaped, now));
+        }
+        let last: Option<u64> = ui.data(|data| data.get_temp(escaped));
+        self.is_abandoned.set(last.is_some_and(|last| now <= last + 1));
+        ui.add(self.field)
+    }
 }
 
 /// Tells a screen reader the name of a field: egui's fields tell their numbers alone.

@@ -155,13 +155,6 @@ pub fn follow(mailbox: Mailbox) {
             }
         })
     };
-    let link_mailbox = mailbox.clone();
-    let changed = Closure::<dyn FnMut()>::new(move || {
-        // an entry that shows a visit is not a new address: `popstate` has told
-        if let Some(fragment) = lesson_link().or_else(link).filter(|_| visit().is_none()) {
-            link_mailbox.post(Event::Link(fragment));
-        }
-    });
     let stored = {
         let mailbox = mailbox.clone();
         Closure::<dyn FnMut(JsValue)>::new(move |event: JsValue| {
@@ -171,6 +164,12 @@ pub fn follow(mailbox: Mailbox) {
             }
         })
     };
+    let changed = Closure::<dyn FnMut()>::new(move || {
+        // an entry that shows a visit is not a new address: `popstate` has told
+        if let Some(fragment) = lesson_link().or_else(link).filter(|_| visit().is_none()) {
+            mailbox.post(Event::Link(fragment));
+        }
+    });
     // listening to a named event does not fail
     let _ = window.add_event_listener_with_callback("storage", stored.as_ref().unchecked_ref());
     let _ = window.add_event_listener_with_callback("popstate", gone.as_ref().unchecked_ref());

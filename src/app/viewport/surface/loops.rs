@@ -12,6 +12,7 @@ use crate::language::{key, say};
 use crate::model::Model;
 use crate::model::boundary_loops::BoundaryLoop;
 use crate::render::OrbitCamera;
+use crate::surface::SurfaceTree;
 use egui::{Align2, CursorIcon, Painter, Pos2, Response, Shape, Stroke, Ui};
 use std::sync::Arc;
 
@@ -46,7 +47,8 @@ pub fn interact(
     let loops = model.boundary_loops(side);
     let Some((surface, _)) = model.surface(side).filter(|_| !loops.is_empty()) else { return };
     let Some(sight) = Sight::of(surface.surface(), view) else { return };
-    let Some(under) = under(ui, &loops, &sight, pointer).filter(|under| !under.is_outline) else { return };
+    let reach = REACH[usize::from(suits_fingers(ui))];
+    let Some(under) = under(reach, &loops, &sight, pointer).filter(|under| !under.is_outline) else { return };
     ui.set_cursor_icon(CursorIcon::PointingHand);
     let number = u32::from(under.number) + 1;
     response.clone().on_hover_text_at_pointer(say(&key::loop_in_picture(number, loops.len())));
@@ -57,25 +59,25 @@ pub fn interact(
 
 /// A surface as it is seen.
 struct Sight<'a> {
-    surface: &'a MeshedSurface,
+    /// Its triangles, once they are sorted.
+    tree: Option<&'a SurfaceTree>,
     view: &'a OrbitView,
     eye: DVec3,
 }
 
 impl<'a> Sight<'a> {
     fn of(surface: Option<&'a Arc<MeshedSurface>>, view: &'a OrbitView) -> Option<Self> {
-        Some(Self { surface: surface?, view, eye: view.camera().map(OrbitCamera::eye)? })
+        Some(Self { tree: surface?.tree_if_made(), view, eye: view.camera().map(OrbitCamera::eye)? })
     }
 
     /// Whether the surface hides a place; not known, and so false, before its triangles are sorted.
     fn hides(&self, place: DVec3) -> bool {
-        self.surface.tree_if_made().is_some_and(|tree| tree.hides(self.eye, place))
+        self.tree.is_some_and(|tree| tree.hides(self.eye, place))
     }
 }
 
 /// The loop that is nearest to the pointer, if the pointer is on it and the surface does not hide it there.
-fn under<'a>(ui: &Ui, loops: &'a [BoundaryLoop], sight: &Sight<'_>, pointer: Pos2) -> Option<&'a BoundaryLoop> {
-    let reach = REACH[usize::from(suits_fingers(ui))];
+fn under<'a>(reach: f32, loops: &'a [BoundaryLoop], sight: &Sight<'_>, pointer: Pos2) -> Option<&'a BoundaryLoop> {
     let mut hits: Vec<(f32, DVec3, &BoundaryLoop)> = Vec::new();
     for each in loops {
         let places = each.places.iter().map(|&place| (place, sight.view.to_screen(place)));
@@ -172,4 +174,46 @@ fn paint_number(ui: &Ui, painter: &Painter, each: &BoundaryLoop, sight: &Sight<'
     let faint = |color: egui::Color32| color.gamma_multiply(strength);
     painter.circle(at, BADGE, faint(ground), Stroke::new(1.5, faint(palette.accent)));
     painter.text(at, Align2::CENTER_CENTER, u32::from(each.number) + 1, bold(11.0), faint(ink));
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::render::BoundingSphere;
+    use crate::surface::{Surface, SurfaceMesh};
+    use egui::{Rect, pos2, vec2};
+
+    /// The vertices around a tube.
+    const AROUND: u32 = 24;
+
+    fn on_ring(k: u32, height: f64) -> DVec3 {
+        let (y, x) = (std::f64::consts::TAU * f64::from(k) / f64::from(AROUND)).sin_cos();
+        DVec3::new(x, y, height)
+    }
+
+    #[test]
+    fn a_loop_is_chosen_where_it_is_seen_and_not_through_the_surface() {
+        let ring = |height: f64| (0..AROUND).map(move |k| on_ring(k, height));
+        let around = (0..AROUND).map(|k| (k, (k + 1) % AROUND));
+        let triangles = around.flat_map(|(k, next)| [[k, next, AROUND + k], [next, AROUND + next, AROUND + k]]);
+        let tube = Surface::new(ring(0.0).chain(ring(2.0)).collect(), triangles.collect());
+        let mesh = SurfaceMesh::repaired(&tube).unwrap();
+        let tree = SurfaceTree::new(mesh.mesh());
+        let scene = BoundingSphere { center: DVec3::Z, radius: 1.5 };
+        let mut view = OrbitView::default();
+        view.place(Rect::from_min_size(pos2(100.0, 50.0), vec2(600.0, 500.0)), 1.0, scene);
+        view.look(OrbitCamera::new(scene, DVec3::new(0.0, -1.0, 0.4), DVec3::Z, view.aspect()));
+        let eye = view.camera().unwrap().eye();
+        let lower = [BoundaryLoop { number: 1, is_outline: false, length: 6.3, places: ring(0.0).collect() }];
+        let chosen = |tree, place| {
+            let sight = Sight { tree, view: &view, eye };
+            under(REACH[0], &lower, &sight, view.to_screen(place).unwrap()).is_some()
+        };
+        let [far, near] = [AROUND / 4, 3 * AROUND / 4].map(|k| on_ring(k, 0.0));
+        assert!(chosen(Some(&tree), near), "in front");
+        assert!(!chosen(Some(&tree), far), "behind the wall of the tube");
+        assert!(chosen(None, far), "not known before the triangles are sorted");
+        assert!(!chosen(Some(&tree), DVec3::Z), "beside it");
+    }
 }
