@@ -18,9 +18,8 @@ const FILE_NAME: &str = "lesson.txt";
 impl RiemapApp {
     /// Carries out an action of the lesson's panel.
     pub(super) fn act_on_lesson(&mut self, action: LessonAction, context: &egui::Context) {
-        if let Some(reason) = self.held().filter(|_| action.concerns_session()) {
-            self.windows.lesson.note = Some(reason.into());
-            return;
+        if action.concerns_session() && self.held().is_some() {
+            return; // the panel says why
         }
         let editor = &mut self.windows.lesson;
         match action {
@@ -66,9 +65,13 @@ impl RiemapApp {
         }
     }
 
+    fn is_preparing(&self) -> bool {
+        Side::BOTH.into_iter().any(|side| self.model.is_preparing(side))
+    }
+
     /// Makes the present picture a step, the one at this place or the last; says what a link does not hold of it.
     fn take_step(&mut self, at: Option<usize>) {
-        if Side::BOTH.into_iter().any(|side| self.model.is_preparing(side)) {
+        if self.is_preparing() {
             // the session is still that of the shapes before
             self.windows.lesson.note = Some(key::lesson_waits_for_shapes().into());
             return;
@@ -125,6 +128,10 @@ impl RiemapApp {
 
     /// Stores the draft if it has changed. What another tab has stored meanwhile is one undo step away.
     pub(super) fn keep_lesson(&mut self) {
+        let waits = Message::from(key::lesson_waits_for_shapes());
+        if self.windows.lesson.note.as_ref() == Some(&waits) && !self.is_preparing() {
+            self.windows.lesson.note = None; // its cause is gone
+        }
         if !self.windows.lesson.is_stale() || !self.screen.remembers {
             return;
         }
