@@ -144,14 +144,22 @@ impl RiemapApp {
             ExploreAction::LeaveTour { .. } => self.windows.explore.end_motions(&mut self.player, &self.model),
             _ => {}
         }
-        let is_walking = self.model.overlay_state().walks.is_running();
         let was_lesson = self.windows.explore.plays_lesson();
-        let consequences = self.windows.explore.act(action, self.model.session(), is_walking);
-        self.follow(consequences);
+        self.act_on_tour(action);
         if was_lesson && !self.windows.explore.plays_lesson() {
             // a reload is to show the session, not the lesson
             self.correct_address();
         }
+    }
+
+    fn act_on_tour(&mut self, action: ExploreAction) {
+        let is_walking = self.model.overlay_state().walks.is_running();
+        let was_touring = self.windows.explore.is_touring();
+        let consequences = self.windows.explore.act(action, &self.model.requested(), is_walking);
+        if was_touring && !self.windows.explore.is_touring() && consequences.session.is_some() {
+            self.persistence.come_back();
+        }
+        self.follow(consequences);
     }
 
     /// Shows what an action of the tour or of a lesson leads to.
@@ -162,6 +170,12 @@ impl RiemapApp {
         if walks.is_some_and(|run| run != self.model.overlay_state().walks.is_running()) {
             self.model.act_on_walks(WalkAction::Toggle);
         }
+    }
+
+    /// Ends the tour or lesson as [`Self::end_tour`] does and leaves the address as it is: another session's.
+    pub(super) fn drop_tour(&mut self) {
+        self.windows.explore.end_motions(&mut self.player, &self.model);
+        self.act_on_tour(ExploreAction::LeaveTour { keeps: true });
     }
 
     /// Ends the tour because another picture replaces it: the session stays, and the random walks that the tour started

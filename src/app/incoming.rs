@@ -14,7 +14,7 @@ use crate::model::opening::Arrived;
 use crate::model::side::opened_file::Origin;
 use crate::model::side::user_error::UserError;
 use crate::outline::Outline;
-use crate::platform::{self, Event};
+use crate::platform::{self, Event, Kept};
 use crate::session::file::Attachment;
 use crate::session::{Command, TextureKind, Touched, lesson};
 use crate::worker::{Finding, Response, Study};
@@ -45,9 +45,12 @@ impl RiemapApp {
                     }
                 }
                 Event::GoneTo(id) => self.go_to_visit(id),
+                Event::StoredElsewhere(Kept::Lesson) => _ = self.meet_other_draft(),
+                // each tab has a session and preferences of its own
+                Event::StoredElsewhere(Kept::Session | Kept::Preferences) => {}
                 Event::Visited { id, kept } => self.take_visit(&id, kept),
                 Event::Kept(result) => self.take_kept(result),
-                Event::GraphicsLost(reason) => self.take_loss_of_graphics(&reason, context),
+                Event::GraphicsLost(reason) => self.take_loss_of_graphics(&reason),
                 Event::Image { purpose, name, file, pixels } => {
                     self.take_image(purpose, Attachment { name, bytes: file }, pixels);
                 }
@@ -242,7 +245,7 @@ impl RiemapApp {
         if self.pictures.image.is_some() {
             let touched = self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
             self.begin_change(touched);
-            self.persistence.note_files();
+            self.persistence.owe_copy();
         }
     }
 

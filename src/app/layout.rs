@@ -63,7 +63,7 @@ pub fn show(app: &RiemapApp, ui: &mut Ui) -> LaidOut {
         let is_touring = app.windows.explore.is_touring();
         let makes_lesson = app.windows.lesson.is_open && !is_touring;
         if makes_lesson {
-            lesson::show(ui, &app.windows.lesson, narrow, &mut actions);
+            lesson::show(ui, &app.windows.lesson, app.held(), narrow, &mut actions);
         }
         if narrow && !is_touring && !makes_lesson {
             pointed = sheet(app, ui, &mut actions);

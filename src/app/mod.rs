@@ -108,7 +108,7 @@ impl RiemapApp {
             persistence
         };
         persistence.visits = visits;
-        let mut windows = Windows { lesson: LessonEditor::resume(draft), ..Windows::default() };
+        let mut windows = Windows { lesson: LessonEditor::resume(draft.0, draft.1), ..Windows::default() };
         if options.bench {
             windows.reports.open(Report::Bench);
         }

@@ -12,6 +12,7 @@ use crate::model::persistence;
 use crate::model::persistence::Persistence;
 use crate::platform::{self, PageEvent};
 use crate::session::file::{Archive, Attachment};
+use crate::session::link::Decoded;
 use crate::session::{Command, History, Session, file, lesson, link};
 
 impl RiemapApp {
@@ -57,10 +58,15 @@ impl RiemapApp {
         self.workers.mailbox.wake();
     }
 
-    /// The session with its undo steps and the files that it uses.
-    pub(super) fn archive(&self) -> Archive {
+    /// The user's own session: in the tour or a lesson, the one from before.
+    pub(super) fn own(&self) -> &Session {
+        self.windows.explore.before().unwrap_or(self.model.session())
+    }
+
+    /// A session as the last of the undo steps, with the files that they use.
+    pub(super) fn archive(&self, session: &Session) -> Archive {
         let mut history = self.persistence.history().clone();
-        history.settle(self.model.session());
+        history.settle(session);
         let is_used = history.shows_image();
         self.model.archive(history, self.own_picture().filter(|_| is_used))
     }
@@ -103,7 +109,7 @@ impl RiemapApp {
     }
 
     pub(super) fn save_session(&mut self) {
-        match self.archive().write() {
+        match self.archive(self.model.session()).write() {
             Ok(bytes) => {
                 let name = format!("map.{}", file::EXTENSION);
                 platform::save_file(&name, bytes, self.workers.mailbox.clone());
@@ -167,10 +173,13 @@ impl RiemapApp {
         }
     }
 
-    /// Replaces the rejected address by that of the present session.
+    /// Replaces the rejected address, or that of a lesson, by that of the user's own session.
     pub(super) fn correct_address(&mut self) {
-        if let Some(fragment) = self.persistence.correct_address() {
-            platform::show_link(fragment.trim_start_matches('#'));
+        match self.persistence.correct_address() {
+            Some(fragment) => platform::show_link(fragment.trim_start_matches('#')),
+            // a session without a link: a reload finds it by its visit, and is not to find the lesson
+            None if platform::lesson_link().is_some() => platform::show_link(""),
+            None => {}
         }
     }
 
@@ -181,35 +190,45 @@ impl RiemapApp {
         }
         let decoded = link::decode(address).map_err(|error| Message::from(&error))?;
         self.begin_visit();
-        self.messages.common = persistence::missing_text(&decoded.missing);
-        self.open_session(decoded.session);
-        self.persistence.open_link(decoded.missing, platform::link());
+        self.show_decoded(decoded);
         Ok(())
     }
 
-    /// Stores the session when it is at rest.
+    /// Shows the session of a link in this visit.
+    pub(super) fn show_decoded(&mut self, Decoded { session, missing }: Decoded) {
+        // the address is that of the link by now
+        self.drop_tour();
+        self.messages.common = persistence::missing_text(&missing);
+        self.open_session(session);
+        self.persistence.open_link(missing, platform::link());
+    }
+
+    /// Stores the session when it is at rest. In the tour or a lesson that is the one from before, at once: their own
+    /// sessions are not stored, and a reload restores the user's.
     pub(super) fn keep(&mut self, context: &egui::Context) {
         self.keep_lesson();
         let (held, now) = context.input(|input| (input.pointer.any_down() || !input.keys_down.is_empty(), input.time));
-        // the tour's sessions are not stored: a reload restores the user's own
-        let passes = self.player.is_playing() || self.windows.explore.is_touring();
-        if held || passes || !self.model.is_mapped() {
-            return;
-        }
-        let settled = self.persistence.settle(self.model.session(), now);
-        let is_news = settled.address.is_some() || settled.copy.is_some();
+        let own = match self.windows.explore.before() {
+            Some(before) => before.clone(),
+            None if held || self.player.is_playing() || !self.model.is_mapped() => return,
+            None => self.model.session().clone(),
+        };
+        let settled = self.persistence.settle(&own, now);
+        let is_touring = self.windows.explore.is_touring();
+        let is_news = !is_touring && (settled.address.is_some() || settled.copy.is_some());
         for command in settled.moves {
             self.model.dispatch(command, now);
             context.request_repaint();
         }
-        if let Some(fragment) = settled.address {
+        // a reload shows the lesson again that the address tells
+        if let Some(fragment) = settled.address.filter(|_| !is_touring || platform::lesson_link().is_none()) {
             platform::show_link(&fragment);
         }
         if is_news {
             platform::tell_page(PageEvent::Session, "");
         }
         if let Some(text) = settled.copy {
-            self.store(&text, context);
+            self.store(&own, &text);
         }
         if let Some(seconds) = settled.copy_due {
             context.request_repaint_after_secs(seconds as f32);

@@ -24,8 +24,8 @@ pub struct Startup {
     /// The outlines that the session's link contains by name only.
     pub(super) missing: Vec<MissingOutline>,
     pub(super) message: Option<Message>,
-    /// The lesson that was being made.
-    pub(super) draft: Lesson,
+    /// The lesson that was being made, and its stored text.
+    pub(super) draft: (Lesson, Option<String>),
     pub(super) preferences: Preferences,
     pub(super) workers: Workers,
 }
@@ -47,7 +47,7 @@ impl Startup {
             resumes: false,
             missing: Vec::new(),
             message: None,
-            draft: Lesson::default(),
+            draft: (Lesson::default(), None),
             preferences: Preferences::fixed(),
             workers,
         }
@@ -61,7 +61,13 @@ impl Startup {
         language::set(preferences.with(&crate::app::host::address_options()).language());
         let (record, listed) = platform::first_kept();
         let text = platform::remembered(Kept::Session);
-        let kept = KeptCopies { text: text.as_deref(), record: record.map(|record| record.archive()) };
+        let id = record.as_ref().map(|record| record.id.clone());
+        let kept = KeptCopies {
+            text: text.as_deref(),
+            record: record.map(|record| record.archive()),
+            text_is_elsewhere: platform::visit_of_text().is_some_and(|visit| Some(visit) != id),
+            record_is_own: id.is_some() && platform::visit() == id,
+        };
         let Start { mut archive, is_kept, missing, message } =
             persistence::first_session(platform::link().as_deref(), kept);
         // another tab has a visit of its own, so that none overwrites the other's
@@ -84,11 +90,12 @@ impl Startup {
 }
 
 /// The draft of the last run, or why it cannot be read.
-fn kept_lesson() -> (Lesson, Option<Message>) {
-    let text = platform::remembered(Kept::Lesson).filter(|text| !text.is_empty());
-    match text.map(|text| lesson::read_draft(text.as_bytes())) {
-        None => (Lesson::default(), None),
-        Some(Ok(draft)) => (draft, None),
-        Some(Err(error)) => (Lesson::default(), Some(key::lesson_refused(Message::from(&error)))),
+fn kept_lesson() -> ((Lesson, Option<String>), Option<Message>) {
+    let text = platform::remembered(Kept::Lesson);
+    match text.as_deref().filter(|text| !text.is_empty()).map(|text| lesson::read_draft(text.as_bytes())) {
+        None => ((Lesson::default(), text), None),
+        Some(Ok(draft)) => ((draft, text), None),
+        // its text is not taken for known, and so not replaced
+        Some(Err(error)) => ((Lesson::default(), None), Some(key::lesson_refused(Message::from(&error)))),
     }
 }

@@ -5,8 +5,9 @@ use crate::app::input::action::ExploreAction;
 use crate::language::{Message, key};
 use crate::model::persistence::visits::{Kept as KeptVisit, Left, Listed, Visit};
 use crate::platform::{self, Kept};
-use crate::session::Touched;
 use crate::session::file::{Archive, FileError};
+use crate::session::link;
+use crate::session::{Session, Touched};
 
 impl RiemapApp {
     /// Begins another visit, for a session that is about to be opened; the present one can be gone back to. Does nothing
@@ -21,6 +22,9 @@ impl RiemapApp {
     fn leave_visit_for(&mut self, next: String) {
         let at_rest = self.own_at_rest().cloned();
         let steps = self.persistence.leave(at_rest.as_ref());
+        if let Some(session) = at_rest.filter(|session| self.persistence.overdue_copy(session).is_some()) {
+            self.store_visit(&session);
+        }
         let picture = self.own_picture();
         self.persistence.visits.leave_for(next, Left { steps, picture });
     }
@@ -56,10 +60,22 @@ impl RiemapApp {
         match kept.map(|kept| kept.archive()) {
             Some(Ok(archive)) => self.show_archive(archive),
             Some(Err(error)) => self.refuse_visit(&error),
-            None => {
-                if let Some(link) = platform::link().or_else(platform::lesson_link) {
-                    self.open_link(&link);
-                }
+            None => self.show_address(),
+        }
+    }
+
+    /// Shows what the address tells, in this visit: another one would cut off those that the user can go forward to.
+    fn show_address(&mut self) {
+        if let Some(address) = platform::lesson_link() {
+            self.drop_tour();
+            return self.play_address(&address);
+        }
+        let Some(address) = platform::link() else { return };
+        match link::decode(&address) {
+            Ok(decoded) => self.show_decoded(decoded),
+            Err(error) => {
+                self.messages.common = Some(key::link_not_opened(Message::from(&error)));
+                self.correct_address();
             }
         }
     }
@@ -68,39 +84,49 @@ impl RiemapApp {
         self.messages.common = Some(key::last_session_not_opened(Message::from(error)));
     }
 
-    /// Shows an archive in place of everything, with its steps.
+    /// Shows an archive in place of everything, with its steps; over it plays the lesson of the address, if there is one.
     fn show_archive(&mut self, archive: Archive) {
         let history = self.take_files(archive);
         let session = history.now().clone();
-        self.end_tour();
+        // the address is that of the archive by now
+        self.drop_tour();
         self.persistence.go_to(history);
         self.show_session(session);
+        if let Some(address) = platform::lesson_link() {
+            self.play_address(&address);
+        }
     }
 
-    /// Stores the session at rest: `text` is the session alone, which is stored at once, and the visit with everything
+    /// Stores the user's session: `text` is the session alone, which is stored at once, and the visit with everything
     /// follows. The text alone matters only where the visit cannot be stored.
-    pub(super) fn store(&mut self, text: &str, context: &egui::Context) {
+    pub(super) fn store(&mut self, session: &Session, text: &str) {
         let without_files = platform::remember(Kept::Session, text);
-        let link = self.persistence.address().map(str::to_owned);
-        let visit = self.persistence.visits.current().map(|id| Visit::new(id, link, &self.archive()));
-        // its numbers are in their ranges: the text was written
-        if let Some(Ok(visit)) = visit {
-            platform::keep(visit, self.workers.mailbox.clone());
-        }
+        self.store_visit(session);
         if let (Err(reason), None) = (without_files, self.persistence.visits.current()) {
             self.say_once(key::session_not_kept(reason));
-            context.request_repaint();
+            self.workers.mailbox.wake();
+        }
+    }
+
+    /// Stores the visit that is shown: the session with its undo steps and files.
+    fn store_visit(&self, session: &Session) {
+        let link = self.persistence.address().map(str::to_owned);
+        let visit = self.persistence.visits.current().map(|id| Visit::new(id, link, &self.archive(session)));
+        // an error would be a number out of its range, which no control allows
+        if let Some(Ok(visit)) = visit {
+            platform::keep(visit, self.workers.mailbox.clone());
         }
     }
 
     /// Stores the session and its undo steps at once, since the window may have to be opened again, and says so. Instead
     /// of the tour's session the user's own is stored.
-    pub(super) fn take_loss_of_graphics(&mut self, reason: &str, context: &egui::Context) {
+    pub(super) fn take_loss_of_graphics(&mut self, reason: &str) {
+        let own = self.own().clone();
         self.explore(ExploreAction::LeaveTour { keeps: false });
         self.messages.common = Some(key::graphics_device_lost(reason));
-        let text = crate::session::file::write_compact(self.model.session());
+        let text = crate::session::file::write_compact(&own);
         if let Some(Ok(text)) = self.persistence.is_kept().then_some(text) {
-            self.store(&text, context);
+            self.store(&own, &text);
         }
     }
 
@@ -119,8 +145,7 @@ impl RiemapApp {
 
     /// Says once that the session is kept without files and undo steps, or not at all.
     fn not_kept_whole(&mut self, reason: Message) {
-        let session = self.windows.explore.before().unwrap_or(self.model.session());
-        let text = crate::session::file::write_compact(session).unwrap_or_default();
+        let text = crate::session::file::write_compact(self.own()).unwrap_or_default();
         match platform::remember(Kept::Session, &text) {
             Ok(()) => self.say_once(key::only_session_kept(reason)),
             Err(reason) => self.say_once(key::session_not_kept(reason)),

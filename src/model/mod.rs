@@ -29,6 +29,7 @@ pub mod persistence;
 mod pointer;
 mod probe;
 mod refresh;
+mod requested;
 pub mod scene;
 pub mod shape;
 mod sharpness;

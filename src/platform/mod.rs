@@ -3,7 +3,7 @@
 //! The only room with `cfg(target_arch)`. `web` and `native` offer the same
 //! names: [`start`], [`Preparer`], [`StudyRunner`], [`pick_file`], [`read_dropped`], [`decode_image`], [`save_file`],
 //! [`drop_position`], [`address_query`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
-//! [`visit`], [`new_visit`], [`begin_visit`], [`keep`], [`first_kept`], [`load_visit`],
+//! [`visit`], [`visit_of_text`], [`new_visit`], [`begin_visit`], [`keep`], [`first_kept`], [`load_visit`],
 //! [`languages`], [`say_language`], [`say`], [`describe`], [`has_fingers`], [`has_full_screen`],
 //! [`toggle_full_screen`], [`can_share`], [`share`], [`tell_page`], [`watch_graphics`]. Whatever happens between frames arrives in order as an
 //! [`Event`] in the app's mailbox and wakes the app; only files, on the web, are passed to the app directly.
@@ -15,7 +15,7 @@ pub use web::{
     Preparer, StudyRunner, address_query, address_with, begin_visit, can_share, decode_image, describe, drop_position,
     first_kept, has_fingers, has_full_screen, keep, languages, lesson_link, link, load_visit, new_visit, pick_file,
     read_dropped, remember, remembered, save_file, say, say_language, share, show_link, start, tell_page,
-    toggle_full_screen, visit, wants_calm, watch_graphics,
+    toggle_full_screen, visit, visit_of_text, wants_calm, watch_graphics,
 };
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -26,7 +26,8 @@ mod native_image;
 pub use native::{
     Preparer, StudyRunner, address_query, address_with, begin_visit, can_share, describe, drop_position, has_fingers,
     has_full_screen, languages, lesson_link, link, new_visit, pick_file, read_dropped, remember, remembered, save_file,
-    say, say_language, share, show_link, start, tell_page, toggle_full_screen, visit, wants_calm, watch_graphics,
+    say, say_language, share, show_link, start, tell_page, toggle_full_screen, visit, visit_of_text, wants_calm,
+    watch_graphics,
 };
 #[cfg(not(target_arch = "wasm32"))]
 mod native_store;
@@ -87,6 +88,8 @@ pub enum Event {
     },
     /// The fragment of the page's address has changed.
     Link(String),
+    /// Another tab has stored this.
+    StoredElsewhere(Kept),
     /// The user went back or forward to this visit in the browser's history.
     GoneTo(String),
     /// A kept visit was read; `None` if it is not kept any more.

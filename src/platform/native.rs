@@ -240,6 +240,11 @@ pub fn remembered(what: Kept) -> Option<String> {
     std::fs::read_to_string(kept_at(what)?).ok()
 }
 
+/// `None`: there is one visit only.
+pub fn visit_of_text() -> Option<String> {
+    None
+}
+
 /// The folder of what is kept.
 pub fn kept_folder() -> Option<PathBuf> {
     let folders = etcetera::choose_base_strategy().ok()?;

@@ -74,6 +74,11 @@ impl SurfaceMesh {
         self.triangle_origins.iter().copied().map(original)
     }
 
+    /// The number of triangles that come from the surface as it was read; those that fill holes come after them.
+    pub(super) fn given_count(&self) -> usize {
+        self.triangle_origins.partition_point(|&origin| origin != ADDED)
+    }
+
     /// The repairs that were made.
     pub fn repairs(&self) -> &[RepairNote] {
         &self.repairs

@@ -58,6 +58,7 @@ impl TopologyError {
             | Self::NotFinite { .. }
             | Self::TooSmall { .. }
             | Self::Closed { .. }
+            | Self::FlatHole { .. }
             | Self::Genus { .. } => Faults::default(),
         }
     }

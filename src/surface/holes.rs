@@ -11,14 +11,21 @@ use crate::geometry::sort_by_number;
 impl SurfaceMesh {
     /// The triangles that come from the surface as it was read, in its order.
     pub fn given_triangles(&self) -> &[[u32; 3]] {
-        let given = self.origins_of_triangles().take_while(Option::is_some).count();
-        &self.mesh().triangles()[..given]
+        &self.mesh().triangles()[..self.given_count()]
+    }
+
+    /// Whether it has holes that were filled.
+    pub fn has_holes(&self) -> bool {
+        self.given_count() < self.mesh().triangles().len()
     }
 
     /// The boundary loops that were filled, as closed chains of the mesh's vertices in the direction of the given
     /// triangles, by falling length: the loops of the surface as repaired, in their order, without its outline. Cost O(n)
     /// for n triangles.
     pub fn holes(&self) -> Vec<Vec<u32>> {
+        if !self.has_holes() {
+            return Vec::new();
+        }
         let (given, vertices) = (self.given_triangles(), self.mesh().vertices());
         let mut next = vec![None; vertices.len()];
         for (t, across) in (0..).zip(&self.mesh().neighbours()[..given.len()]) {

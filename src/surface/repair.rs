@@ -3,7 +3,7 @@
 //! Triangles that name a vertex twice are dropped, and those with the corners of an earlier one; the rest is oriented
 //! consistently, as most of its triangles are; the component with the most triangles is kept; vertices
 //! in no triangle are dropped; all boundary loops but one, unless asked otherwise the longest, are filled. Faults whose repair would
-//! need a guess (edges of three triangles, vertices that join parts, flat triangles) stay errors.
+//! need a guess (edges of three triangles, vertices that join parts, flat triangles, holes without area) stay errors.
 
 use super::duplicates::duplicates;
 use super::edges::EdgeTable;
@@ -145,7 +145,7 @@ pub(super) fn repair(surface: Surface, outline: usize) -> Result<Repaired, Topol
     if outline > 0 {
         loops[..=outline].rotate_right(1);
     }
-    fill_holes(&mut repaired, &loops);
+    fill_holes(&mut repaired, &loops)?;
     Ok(repaired)
 }
 

@@ -83,7 +83,7 @@ pub(super) fn check_triangles(surface: &Surface) -> Result<(), TopologyError> {
     }
 }
 
-/// Whether a triangle has no area.
+/// Whether the corners of a triangle lie in a line, or so nearly that its angles are not determined.
 pub(super) fn is_flat([a, b, c]: [DVec3; 3]) -> bool {
     let longest = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
     let double_area = (b - a).cross(c - a).length();

@@ -193,6 +193,18 @@ pub enum TopologyError {
         /// All loops, the longest first.
         loops: Vec<LoopReport>,
     },
+    /// A hole bounds no area, so that no triangles fill it.
+    #[error("{}", counted!(
+        *count,
+        "a hole has no area, since its vertices lie in a line: join them ({hole})",
+        "{count} holes have no area, since their vertices lie in a line: join them (the first: {hole})"
+    ))]
+    FlatHole {
+        /// The boundary loop of the first such hole; its vertex is counted as in the surface.
+        hole: LoopReport,
+        /// Number of such holes.
+        count: usize,
+    },
     /// The surface has handles.
     #[error("{}", counted!(
         *genus,

@@ -86,6 +86,26 @@ withOneBackend('lessons', (bench) => {
   );
 
   test(
+    'back from a lesson shows the own picture, and forward plays the lesson again',
+    bench.withApp(async (app) => {
+      await app.page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+      await makeLesson(app);
+      await use(app, /^Copy link, button/);
+      const link = await app.page.evaluate(() => navigator.clipboard.readText());
+      const mine = await app.session();
+      await app.paste(new URL(link).hash);
+      await app.saying('state', /Wide squares/);
+      await app.page.goBack();
+      await app.until('the own picture is back', (stats) => stats.ready && window.riemap.session().texture_scale === 33);
+      await app.page.goForward();
+      await app.saying('state', /Wide squares/);
+      await app.press('Escape');
+      await app.until('the own picture again', (stats) => stats.ready && window.riemap.session().texture_scale === 33);
+      assert.deepEqual(await app.session(), mine);
+    }),
+  );
+
+  test(
     'a dropped lesson is played, and one that cannot be read says where',
     bench.withApp(async (app) => {
       const address = await app.otherAddress(bench.address());

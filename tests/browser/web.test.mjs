@@ -13,6 +13,13 @@ function withoutGraphics() {
   Object.defineProperty(Navigator.prototype, 'gpu', { value: undefined });
 }
 
+/** What older browsers lack, each removed in the page before its scripts. */
+const LACKS = {
+  streams: () => { delete window.TransformStream; },
+  // such a browser does not ask for the type of a worker
+  'workers that are modules': () => { window.Worker = class { terminate() {} }; },
+};
+
 /** Runs in the page before its scripts: stores the device, so that a test can destroy it. */
 function rememberDevice() {
   const { requestDevice } = GPUAdapter.prototype;
@@ -114,6 +121,20 @@ withEachBackend(
           },
           { locale },
         ),
+      );
+    }
+
+    for (const [lack, remove] of Object.entries(LACKS)) {
+      test(
+        `without ${lack} the page says what to do, and fetches nothing large`,
+        bench.withPage(async (page) => {
+          await page.addInitScript(remove);
+          const asked = [];
+          page.on('request', (request) => asked.push(request.url()));
+          await page.goto(bench.address());
+          assert.match(await page.locator('#plain-words').innerText(), /bring the browser up to date/i);
+          assert.deepEqual(asked.filter((url) => url.includes('.wasm')), []);
+        }, { locale: 'en-GB' }),
       );
     }
 

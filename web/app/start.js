@@ -7,6 +7,8 @@ import { plainWords } from "./plain.js";
 import { store } from "./store.js";
 import { words } from "./words.js";
 
+globalThis.riemapBegins = true; // for `old.js`
+
 const element = (id) => document.getElementById(id);
 
 /** A module of one function that returns a vector: the app is compiled with SIMD instructions. */
@@ -17,9 +19,24 @@ const VECTORS = Uint8Array.of(
   10, 8, 1, 6, 0, 65, 0, 253, 15, 11, // code: i32.const 0, i8x16.splat
 );
 
+/** Whether the download can be counted and unpacked while it arrives. */
+const hasStreams = () =>
+  typeof TransformStream === "function" && typeof ReadableStream === "function" && "pipeThrough" in ReadableStream.prototype;
+
+/** Whether workers can be modules: such a browser asks for their type first, and then starts none. */
+function hasModuleWorkers() {
+  let asked = false;
+  const options = { get type() { asked = true; throw new Error("asked"); } };
+  try {
+    new Worker(new URL("worker.js", import.meta.url), options).terminate();
+  } catch { /* it has asked, or there are no workers */ }
+  return asked;
+}
+
 /** What the browser lacks, as a key of `words`, or null. */
 async function missing() {
   if (typeof WebAssembly !== "object" || !WebAssembly.validate(VECTORS)) return "program";
+  if (!hasStreams() || !hasModuleWorkers()) return "program";
   const context = document.createElement("canvas").getContext("webgl2");
   // released at once: browsers allow few contexts at a time
   context?.getExtension("WEBGL_lose_context")?.loseContext();

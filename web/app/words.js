@@ -22,9 +22,9 @@ const WORDS = {
     },
     program: {
       title: "riemap cannot run here",
-      missing: "riemap computes in the browser, with WebAssembly and its vector instructions, and this browser does not have them.",
+      missing: "riemap computes in the browser, with WebAssembly and its vector instructions, in workers that are modules, and this browser does not have all of them.",
       suggestions: [
-        "Bring the browser up to date: Firefox from 2023, Chrome and Edge from 2022, Safari from 16.4 on will do.",
+        "Bring the browser up to date: Firefox from 114, Chrome and Edge from 91, Safari from 16.4 on will do.",
         "If WebAssembly was turned off (as in Safari's lockdown mode), allow it for this page.",
       ],
     },
@@ -49,9 +49,9 @@ const WORDS = {
     },
     program: {
       title: "riemap kann hier nicht laufen",
-      missing: "riemap rechnet im Browser, mit WebAssembly und dessen Vektorbefehlen; dieser Browser kennt sie nicht.",
+      missing: "riemap rechnet im Browser, mit WebAssembly und dessen Vektorbefehlen, in Workern, die Module sind; dieser Browser kennt nicht alle davon.",
       suggestions: [
-        "Den Browser aktualisieren: Firefox ab 2023, Chrome und Edge ab 2022, Safari ab 16.4 genügen.",
+        "Den Browser aktualisieren: Firefox ab 114, Chrome und Edge ab 91, Safari ab 16.4 genügen.",
         "Wurde WebAssembly abgeschaltet (wie im Blockierungsmodus von Safari), es für diese Seite erlauben.",
       ],
     },

@@ -248,8 +248,10 @@ pub enum LessonAction {
     Swap(usize),
     /// Delete a step.
     Delete(usize),
-    /// Take the last deletion or replacement back.
-    Restore,
+    /// Take the last change of the draft back.
+    Undo,
+    /// Make the change again that was taken back last.
+    Redo,
     /// Play the draft.
     Play,
     /// Save the draft as a file.
@@ -258,6 +260,13 @@ pub enum LessonAction {
     CopyLink,
     /// Show the dialog that opens a lesson's file in place of the draft.
     OpenFile,
+}
+
+impl LessonAction {
+    /// Whether the action takes or replaces the session, which then must be at rest.
+    pub fn concerns_session(&self) -> bool {
+        matches!(self, Self::Add | Self::Renew(_) | Self::Show(_) | Self::Play)
+    }
 }
 
 /// The kinds of plots.

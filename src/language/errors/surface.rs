@@ -43,6 +43,7 @@ impl From<&TopologyError> for Message {
                 key::topology_no_loop(loops.len(), listed(loops, |each| each.into()), *asked)
             }
             TopologyError::Loops { loops } => key::topology_loops(loops.len(), listed(loops, |each| each.into())),
+            TopologyError::FlatHole { hole, count } => key::topology_flat_hole(*count, Message::from(hole)),
             TopologyError::Genus { genus } => key::topology_genus(*genus),
         }
     }

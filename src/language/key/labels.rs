@@ -148,7 +148,9 @@ keys_of_labels! {
     harmonic_measure_about, tour_crowding_about, surfaces, surfaces_about,
     // lesson
     lesson, make_lesson, make_lesson_tooltip, lesson_about, lesson_title, lesson_caption_hint, add_step, add_step_tooltip, show_step,
-    show_step_tooltip, renew_step, renew_step_tooltip, step_up, step_down, delete_step, step_deleted, lesson_replaced,
+    show_step_tooltip, renew_step, renew_step_tooltip, step_up, step_down, delete_step, title_changed, step_added, step_moved,
+    step_deleted, lesson_replaced, lesson_changed_elsewhere, lesson_kept_own, undo_in_lesson, redo_in_lesson, lesson_is_full,
+    lesson_without_steps, lesson_waits_for_outline, lesson_waits_for_export, lesson_waits_for_shapes,
     play_lesson, play_lesson_tooltip, save_lesson, save_lesson_tooltip, lesson_link, lesson_link_tooltip, open_lesson,
     open_lesson_tooltip, close_lesson, end_lesson_tooltip, lessons,
     // user error
@@ -209,7 +211,7 @@ keys_of_messages! {
     // tour
     of(part, whole); probed(scale, turning);
     // lesson
-    caption_of(number); lesson_refused(reason); step_refused(reason); step_added_but(reasons); lesson_not_kept(reason);
+    caption_of(number); caption_changed(number); step_renewed(number); lesson_refused(reason); step_refused(reason); step_added_but(reasons); lesson_not_kept(reason);
     // window
     pictures_done(done, all);
     // formula

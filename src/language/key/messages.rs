@@ -107,7 +107,8 @@ keys_of_messages! {
     topology_non_manifold_vertex(count, vertex, fans); topology_unreferenced(count, vertex); topology_closed(genus);
     topology_genus(genus); repair_dropped_triangles(count); repair_dropped_duplicates(count); repair_oriented(count);
     repair_kept_largest(dropped, components); repair_dropped_vertices(count); surface_file_malformed(place, fault);
-    topology_components(count, sizes); topology_loops(count, loops); topology_no_loop(count, loops, asked); boundary_loop(length, vertices, first);
+    topology_components(count, sizes); topology_loops(count, loops); topology_no_loop(count, loops, asked); topology_flat_hole(count, hole);
+    boundary_loop(length, vertices, first);
     repair_filled_hole(triangles); repair_filled_holes(holes, triangles); place_line(line); place_byte(offset);
     item_element(index, count); item_corner(index, count); item_vertex_property(name);
     item_triangle_corner(triangle, count); item_named_coordinate(name); unsupported_version(version);

@@ -25,13 +25,18 @@ pub struct KeptCopies<'a> {
     pub text: Option<&'a str>,
     /// The record with undo steps and files; or why it cannot be read.
     pub record: Option<Result<Archive, FileError>>,
+    /// Whether the text is that of another visit than the record, as of another tab.
+    pub text_is_elsewhere: bool,
+    /// Whether the record is that of the visit that is to be shown; otherwise it is the newest one.
+    pub record_is_own: bool,
 }
 
 /// The session to start with: that of the link in the `address`, else what was `kept`, else the default.
 ///
 /// If the link in the address is that of what was kept, as after a reload, that is used, since it also holds what
 /// a link may leave out. The decoded links are compared, because another version may encode the same link differently.
-/// A text that differs from the record is a later step of it.
+/// A text that differs from the record of the same visit is a later step of it. One of another visit is another session,
+/// which is used before the record only if that is not the visit's own.
 pub fn first_session(address: Option<&str>, kept: KeptCopies<'_>) -> Start {
     let (copies, user_error) = readable(kept);
     let Some(address) = address else {
@@ -60,22 +65,27 @@ pub fn first_session(address: Option<&str>, kept: KeptCopies<'_>) -> Start {
     Start { archive: Archive::from(session), is_kept: false, missing, message }
 }
 
-/// What can be read of what was kept, the newest first, and why the rest cannot.
+/// What can be read of what was kept, the visit's own first, then the newest, and why the rest cannot.
 fn readable(kept: KeptCopies<'_>) -> (Vec<Archive>, Option<Message>) {
+    let KeptCopies { text_is_elsewhere, record_is_own, .. } = kept;
     let text = kept.text.map(|text| file::read(text.as_bytes())).transpose();
     let record = kept.record.transpose();
     let failed = |error: &FileError| key::last_session_not_opened(Message::from(error));
     let error = record.as_ref().err().or(text.as_ref().err()).map(failed);
     let (text, record) = (text.unwrap_or_default(), record.unwrap_or_default());
     let newer = text.filter(|text| record.as_ref().is_none_or(|record| record.session() != text));
-    let newer = newer.map(|session| match record.clone() {
+    let newer = newer.map(|session| match record.clone().filter(|_| !text_is_elsewhere) {
         Some(mut later) => {
             later.history.settle(&session);
             later
         }
         None => Archive::from(session),
     });
-    (newer.into_iter().chain(record).collect(), error)
+    let mut copies: Vec<Archive> = newer.into_iter().chain(record).collect();
+    if text_is_elsewhere && record_is_own {
+        copies.reverse();
+    }
+    (copies, error)
 }
 
 /// Whether the link of `session` decodes to `opened`.
@@ -96,7 +106,7 @@ mod tests {
     use crate::session::{Command, scaled};
 
     fn first(address: Option<&str>, text: Option<&str>) -> Start {
-        first_session(address, KeptCopies { text, record: None })
+        first_session(address, KeptCopies { text, ..KeptCopies::default() })
     }
 
     #[test]
@@ -144,15 +154,29 @@ mod tests {
         archive
     }
 
+    fn of_record(text: &str) -> KeptCopies<'_> {
+        KeptCopies { text: Some(text), record: Some(Ok(record([4.0, 5.0]))), ..KeptCopies::default() }
+    }
+
+    /// As when a tab that plays a lesson is reloaded: its address tells no session.
+    #[test]
+    fn the_text_of_another_tab_does_not_replace_the_visits_own_record() {
+        let kept = file::write(&scaled(7.0)).unwrap();
+        let elsewhere = |record_is_own| KeptCopies { text_is_elsewhere: true, record_is_own, ..of_record(&kept) };
+        let reloaded = first_session(None, elsewhere(true)).archive;
+        assert_eq!((reloaded.session(), reloaded.history.undo_count()), (&scaled(5.0), 1));
+        let new_tab = first_session(None, elsewhere(false)).archive;
+        assert_eq!((new_tab.session(), new_tab.history.undo_count()), (&scaled(7.0), 0), "the newest");
+    }
+
     #[test]
     fn the_record_comes_with_its_steps_and_a_later_text_is_one_more() {
         let kept = file::write(&scaled(7.0)).unwrap();
         let address = link::encode(&scaled(5.0)).unwrap().fragment;
-        let later = first_session(None, KeptCopies { text: Some(&kept), record: Some(Ok(record([4.0, 5.0]))) });
+        let later = first_session(None, of_record(&kept));
         assert_eq!((later.archive.session(), later.archive.history.undo_count()), (&scaled(7.0), 2));
         // the text is that of another tab, and the address says which one is meant
-        let of_tab = KeptCopies { text: Some(&kept), record: Some(Ok(record([4.0, 5.0]))) };
-        let reloaded = first_session(Some(&address), of_tab);
+        let reloaded = first_session(Some(&address), of_record(&kept));
         assert_eq!((reloaded.archive.session(), reloaded.archive.history.undo_count()), (&scaled(5.0), 1));
         assert!(reloaded.is_kept && reloaded.message.is_none());
     }
@@ -161,7 +185,7 @@ mod tests {
     fn a_record_that_cannot_be_read_is_reported_and_the_text_is_used() {
         let kept = file::write(&scaled(7.0)).unwrap();
         let broken = Some(Err(FileError::MissingPart("surfaces/cow.obj".into())));
-        let start = first_session(None, KeptCopies { text: Some(&kept), record: broken });
+        let start = first_session(None, KeptCopies { text: Some(&kept), record: broken, ..KeptCopies::default() });
         assert_eq!(start.archive.session(), &scaled(7.0));
         assert!(start.message.unwrap().english().contains("surfaces/cow.obj"));
     }

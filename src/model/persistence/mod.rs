@@ -41,10 +41,19 @@ enum Coming {
     Change,
     /// An undo or redo.
     Step,
+    /// The end of the tour or a lesson, which shows the session of the present step again.
+    Return,
     /// A link, or the start of the app.
     Opened,
     /// A link, with the points of an outline that was missing.
     Completed,
+}
+
+impl Coming {
+    /// Whether the session is the present entry of the history, and so no new one.
+    fn is_of_history(self) -> bool {
+        matches!(self, Self::Step | Self::Return)
+    }
 }
 
 /// The undo history, the missing outlines of a link, and the state of address and copy.
@@ -127,7 +136,7 @@ impl Persistence {
         if self.is_new && at_rest.is_none() {
             return None;
         }
-        let is_under_way = at_rest.is_none() && self.coming != Coming::Step;
+        let is_under_way = at_rest.is_none() && !self.coming.is_of_history();
         self.leave_link(at_rest);
         let before = if is_under_way { Some(self.history.now()) } else { self.history.undo() }.cloned();
         self.began_step(before)
@@ -135,7 +144,7 @@ impl Persistence {
 
     /// The next session; `None` while a change is in progress.
     pub fn redo(&mut self, at_rest: Option<&Session>) -> Option<Session> {
-        if at_rest.is_none() && self.coming != Coming::Step {
+        if at_rest.is_none() && !self.coming.is_of_history() {
             return None;
         }
         self.leave_link(at_rest);
@@ -172,11 +181,23 @@ impl Persistence {
         self.coming = Coming::Step;
     }
 
-    /// To be called when the files of the session have changed: they are kept with the session when it settles.
-    pub fn note_files(&mut self) {
+    /// To be called when the files of the session have changed, or it is shown in another visit: it is kept with them when
+    /// it settles.
+    pub fn owe_copy(&mut self) {
         if let Some(public) = &mut self.public {
             public.note_change(true);
         }
+    }
+
+    /// To be called when the session of the present step is shown again, after the tour or a lesson: what it settles in
+    /// is no new step.
+    pub fn come_back(&mut self) {
+        self.coming = Coming::Return;
+    }
+
+    /// The copy of the session if one is pending, also one that is not due yet: the session is about to be left.
+    pub fn overdue_copy(&mut self, session: &Session) -> Option<String> {
+        self.public.as_mut().filter(|_| !self.waits)?.overdue_copy(session)
     }
 
     /// To be called when the user changes something: the next settled session is a new step.
@@ -256,7 +277,7 @@ impl Persistence {
         let changed = if is_first {
             self.history = History::new(session.clone());
             true
-        } else if came == Coming::Step {
+        } else if came.is_of_history() {
             self.history.amend(session);
             true
         } else {
@@ -266,7 +287,7 @@ impl Persistence {
         let ends_waiting = changed && matches!(came, Coming::Change | Coming::Step);
         self.waits &= !ends_waiting && !self.missing.is_empty();
         if let Some(public) = self.public.as_mut().filter(|_| changed) {
-            public.note_change(came != Coming::Opened);
+            public.note_change(!matches!(came, Coming::Opened | Coming::Return));
         }
     }
 }

@@ -71,6 +71,11 @@ impl Public {
         settled
     }
 
+    /// The pending copy, whether it is due or not.
+    pub fn overdue_copy(&mut self, session: &Session) -> Option<String> {
+        std::mem::take(&mut self.owes_copy).then(|| file::write_compact(session).ok())?
+    }
+
     /// The message that something could not be stored; only the first time.
     pub fn not_kept(&mut self, message: Message) -> Option<Message> {
         let is_news = !std::mem::replace(&mut self.has_complained, true);

@@ -41,6 +41,30 @@ fn a_step_that_does_not_settle_bit_for_bit_loses_nothing() {
 }
 
 #[test]
+fn what_comes_back_after_a_lesson_is_no_step_and_can_be_redone_from() {
+    let mut persistence = persistence(&[2.0, 3.0, 4.0]);
+    persistence.undo(Some(&scaled(4.0)));
+    persistence.settle(&scaled(3.0), 0.0);
+    persistence.come_back();
+    let settled = persistence.settle(&scaled(3.0), 0.0);
+    assert_eq!((settled.address, settled.copy), (address(&scaled(3.0)), None), "nothing has changed");
+    assert_eq!(persistence.history().undo_count(), 1);
+    persistence.come_back();
+    assert_eq!(persistence.undo(None), Some(scaled(2.0)), "while it is being prepared");
+    assert_eq!([persistence.redo(None), persistence.redo(None)], [3.0, 4.0].map(scaled).map(Some));
+}
+
+#[test]
+fn a_session_that_is_left_is_copied_before_its_copy_is_due() {
+    let mut persistence = persistence(&[2.0]);
+    assert_eq!(persistence.overdue_copy(&scaled(2.0)), None, "nothing is owed");
+    persistence.owe_copy();
+    let copy = persistence.overdue_copy(&scaled(2.0));
+    assert_eq!(file::read(copy.unwrap().as_bytes()), Ok(scaled(2.0)));
+    assert_eq!(persistence.overdue_copy(&scaled(2.0)), None);
+}
+
+#[test]
 fn a_change_after_a_step_is_a_step_of_its_own() {
     let mut persistence = persistence(&[2.0, 3.0]);
     persistence.undo(Some(&scaled(3.0)));

@@ -100,6 +100,11 @@ impl Preparation<OutlineRequest> {
         &self.wanted.spec
     }
 
+    /// How the requested outline was reshaped, with its points; `None` for another outline.
+    pub fn wanted_points(&self) -> Option<Reshaped> {
+        self.wanted.reshaped
+    }
+
     /// The last good domain.
     pub fn domain(&self) -> Option<&Arc<MeshedDomain>> {
         self.prepared()?.domain()

@@ -16,6 +16,9 @@ fn storage_key(what: Kept) -> &'static str {
     }
 }
 
+/// The key in local storage of the id of the visit whose session was stored last: each tab stores its own.
+const VISIT_OF_TEXT: &str = "riemap-visit";
+
 /// The fragment of the address if it contains a session.
 pub fn link() -> Option<String> {
     fragment().filter(|fragment| crate::session::link::is_link(fragment))
@@ -105,7 +108,20 @@ pub fn remember(what: Kept, text: &str) -> Result<(), Message> {
         let _ = storage.remove_item(storage_key(what));
         return Err(key::too_long_to_store(text.len()));
     }
-    storage.set_item(storage_key(what), text).map_err(|_| key::too_long_to_store(text.len()))
+    storage.set_item(storage_key(what), text).map_err(|_| key::too_long_to_store(text.len()))?;
+    if what == Kept::Session {
+        // without it the text is taken for that of the record found
+        let _ = match visit() {
+            Some(id) => storage.set_item(VISIT_OF_TEXT, &id),
+            None => storage.remove_item(VISIT_OF_TEXT),
+        };
+    }
+    Ok(())
+}
+
+/// The visit whose session was stored last as a text; `None` if it is not known.
+pub fn visit_of_text() -> Option<String> {
+    web_sys::window()?.local_storage().ok()??.get_item(VISIT_OF_TEXT).ok()?
 }
 
 /// Whether sessions are kept here.
@@ -139,6 +155,15 @@ pub fn follow(mailbox: Mailbox) {
             }
         })
     };
+    let stored = {
+        let mailbox = mailbox.clone();
+        Closure::<dyn FnMut(JsValue)>::new(move |event: JsValue| {
+            let key = js_sys::Reflect::get(&event, &"key".into()).ok().and_then(|key| key.as_string());
+            if key.as_deref() == Some(storage_key(Kept::Lesson)) {
+                mailbox.post(Event::StoredElsewhere(Kept::Lesson));
+            }
+        })
+    };
     let changed = Closure::<dyn FnMut()>::new(move || {
         // an entry that shows a visit is not a new address: `popstate` has told
         if let Some(fragment) = lesson_link().or_else(link).filter(|_| visit().is_none()) {
@@ -146,8 +171,10 @@ pub fn follow(mailbox: Mailbox) {
         }
     });
     // listening to a named event does not fail
+    let _ = window.add_event_listener_with_callback("storage", stored.as_ref().unchecked_ref());
     let _ = window.add_event_listener_with_callback("popstate", gone.as_ref().unchecked_ref());
     let _ = window.add_event_listener_with_callback("hashchange", changed.as_ref().unchecked_ref());
+    stored.forget();
     gone.forget();
     changed.forget();
 }

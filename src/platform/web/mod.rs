@@ -21,7 +21,7 @@ mod worker_handle;
 
 pub use address::{
     address_with, begin_visit, has_fingers, languages, lesson_link, link, new_visit, remember, remembered,
-    say_language, show_link, visit, wants_calm,
+    say_language, show_link, visit, visit_of_text, wants_calm,
 };
 pub use files::{drop_position, pick_file, read_dropped, save_file};
 pub use graphics::watch_graphics;

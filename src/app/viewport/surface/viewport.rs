@@ -41,12 +41,15 @@ pub fn interact(
         return None;
     }
     let places = [model.surface_point(side), model.surface_anchor(side)].map(|place| view.to_screen(place?));
+    let held_dot = handles.grip.is_some();
     dots::grab_and_release(ui, &response, side, places, handles);
     drag_handle(ui, side, model, view, handles, actions);
     if let Some(key_step) = keyboard_navigation::of_dots(ui, side, places, handles) {
         actions.extend(stepped(side, model, view, key_step).map(Action::Session));
     }
-    loops::interact(ui, &response, (side, model), view, handles, actions);
+    if !held_dot {
+        loops::interact(ui, &response, (side, model), view, handles, actions);
+    }
     move_eye(ui, &response, view, handles);
     match keyboard_navigation::of_viewport(ui, &response, side, handles) {
         Some(EyeMove::Step(step)) => view.turn(-step),

@@ -1,10 +1,11 @@
 //! The panel of a lesson: beside the pictures, on a narrow screen in the place of the sheet below them.
 //!
-//! A step has its caption and the buttons that show, renew, move and delete it. All requests are actions.
+//! A step has its caption and the buttons that show, renew, move and delete it; below are the last change with undo and
+//! redo, and the buttons of the whole lesson. What cannot be done now is gray, and says why. All requests are actions.
 
 use super::LessonEditor;
 use crate::app::input::action::{Action, Actions, LessonAction};
-use crate::app::input::locks::Locks;
+use crate::app::input::locks::{Locks, REFUSAL};
 use crate::app::theme::icons::{Icon, icon_button};
 use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, bold, control_height};
 use crate::language::{Label as Words, key, say, tr};
@@ -24,8 +25,8 @@ const SCROLL_BAR: f32 = 8.0;
 /// The lines of a caption that are shown while it has no more.
 const CAPTION_ROWS: usize = 3;
 
-/// Shows the panel.
-pub fn show(ui: &mut Ui, editor: &LessonEditor, narrow: bool, actions: &mut Actions) {
+/// Shows the panel. `held` is why no picture can be taken, shown or played now.
+pub fn show(ui: &mut Ui, editor: &LessonEditor, held: Option<Words>, narrow: bool, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
     let screen = ui.ctx().content_rect();
     let panel = if narrow {
@@ -39,11 +40,11 @@ pub fn show(ui: &mut Ui, editor: &LessonEditor, narrow: bool, actions: &mut Acti
         heading(ui, &mut asked);
         let foot = Frame::new().inner_margin(Margin { top: 6, right: 6, ..Margin::ZERO });
         Panel::bottom("lesson-buttons").resizable(false).show_separator_line(false).frame(foot).show(ui, |ui| {
-            buttons(ui, editor, &mut asked);
+            buttons(ui, editor, held, &mut asked);
         });
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             ui.set_max_width(ui.available_width() - SCROLL_BAR);
-            draft(ui, editor, &mut asked);
+            draft(ui, editor, held, &mut asked);
         });
         actions.extend(asked.into_iter().map(Action::Lesson));
     });
@@ -70,9 +71,14 @@ fn cross(ui: &mut Ui, name: &str) -> bool {
 }
 
 /// Title and steps, or without a step what to do.
-fn draft(ui: &mut Ui, editor: &LessonEditor, asked: &mut Vec<LessonAction>) {
+fn draft(ui: &mut Ui, editor: &LessonEditor, held: Option<Words>, asked: &mut Vec<LessonAction>) {
     let mut title = editor.draft().title.clone();
-    let field = TextEdit::singleline(&mut title).char_limit(MAX_TITLE).hint_text(tr(key::lesson_title()));
+    // a field's own undo is not to bring back the text of another step or lesson
+    let arrangement = editor.draft.arrangement;
+    let field = TextEdit::singleline(&mut title)
+        .id_salt(("title", arrangement))
+        .char_limit(MAX_TITLE)
+        .hint_text(tr(key::lesson_title()));
     let response = edged(ui, |ui| ui.add(field.desired_width(f32::INFINITY)));
     response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, tr(key::lesson_title())));
     if response.changed() {
@@ -86,7 +92,10 @@ fn draft(ui: &mut Ui, editor: &LessonEditor, asked: &mut Vec<LessonAction>) {
     let count = editor.draft().steps.len();
     for (k, step) in editor.draft().steps.iter().enumerate() {
         ui.add_space(8.0);
-        ui.push_id(("step", k), |ui| step_rows(ui, k, count, step, asked));
+        ui.push_id(("step", k), |ui| {
+            step_buttons(ui, [k, count], held, asked);
+            caption(ui, (k, arrangement), step, asked);
+        });
     }
 }
 
@@ -96,16 +105,23 @@ fn edged<R>(ui: &mut Ui, field: impl FnOnce(&mut Ui) -> R) -> R {
     Frame::new().stroke(stroke).corner_radius(CornerRadius::same(ROUNDING)).show(ui, field).inner
 }
 
-fn step_rows(ui: &mut Ui, k: usize, count: usize, step: &Step, asked: &mut Vec<LessonAction>) {
-    let locked = Locks::of(ui.ctx()).refused(&Action::Lesson(LessonAction::Show(k))).is_some();
+/// Why an action cannot be carried out now: something holds the session, or the page's address locks it.
+fn refusal(ui: &Ui, held: Option<Words>, action: &LessonAction) -> Option<Words> {
+    let is_locked = || Locks::of(ui.ctx()).refused(&Action::Lesson(action.clone())).is_some();
+    held.filter(|_| action.concerns_session()).or_else(|| is_locked().then_some(REFUSAL))
+}
+
+fn step_buttons(ui: &mut Ui, [k, count]: [usize; 2], held: Option<Words>, asked: &mut Vec<LessonAction>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.label(RichText::new((k + 1).to_string()).font(bold(14.0)).color(Palette::of(ui.visuals()).text));
-        if text_button(ui, !locked, key::show_step(), key::show_step_tooltip()) {
-            asked.push(LessonAction::Show(k));
-        }
-        if text_button(ui, true, key::renew_step(), key::renew_step_tooltip()) {
-            asked.push(LessonAction::Renew(k));
+        for (label, tooltip, action) in [
+            (key::show_step(), key::show_step_tooltip(), LessonAction::Show(k)),
+            (key::renew_step(), key::renew_step_tooltip(), LessonAction::Renew(k)),
+        ] {
+            if text_button(ui, refusal(ui, held, &action), label, tooltip) {
+                asked.push(action);
+            }
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = 2.0;
@@ -121,8 +137,13 @@ fn step_rows(ui: &mut Ui, k: usize, count: usize, step: &Step, asked: &mut Vec<L
             }
         });
     });
+}
+
+/// The caption of the step `k`.
+fn caption(ui: &mut Ui, (k, arrangement): (usize, usize), step: &Step, asked: &mut Vec<LessonAction>) {
     let mut caption = step.caption.clone();
     let field = TextEdit::multiline(&mut caption)
+        .id_salt(("caption", arrangement))
         .char_limit(MAX_CAPTION)
         .desired_rows(CAPTION_ROWS)
         .desired_width(f32::INFINITY)
@@ -134,42 +155,68 @@ fn step_rows(ui: &mut Ui, k: usize, count: usize, step: &Step, asked: &mut Vec<L
     }
 }
 
-fn text_button(ui: &mut Ui, enabled: bool, label: Words, tooltip: Words) -> bool {
+/// A button that is gray where something refuses it, with the reason as tooltip. Returns whether it was clicked.
+fn text_button(ui: &mut Ui, refusal: Option<Words>, label: Words, tooltip: Words) -> bool {
     let button = Button::new(tr(label)).min_size(vec2(0.0, control_height(ui, ROW_HEIGHT)));
-    ui.add_enabled(enabled, button).on_hover_text(tr(tooltip)).clicked()
+    explained(ui, button, refusal, tooltip)
+}
+
+fn explained(ui: &mut Ui, button: Button<'_>, refusal: Option<Words>, tooltip: Words) -> bool {
+    let response = ui.add_enabled(refusal.is_none(), button).on_hover_text(tr(tooltip));
+    response.on_disabled_hover_text(tr(refusal.unwrap_or(tooltip))).clicked()
+}
+
+/// The last change of the draft, undo and redo; nothing while there is neither.
+fn changes(ui: &mut Ui, editor: &LessonEditor, asked: &mut Vec<LessonAction>) {
+    let (last, next) = (editor.draft.last(), editor.draft.next());
+    let Some(shown) = last.or(next) else { return };
+    let weak = Palette::of(ui.visuals()).weak;
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        ui.label(RichText::new(say(&shown.words())).color(weak));
+        for (change, label, name, action) in [
+            (last, key::undo(), key::undo_in_lesson(), LessonAction::Undo),
+            (next, key::redo(), key::redo_in_lesson(), LessonAction::Redo),
+        ] {
+            let button = Button::new(tr(label)).min_size(vec2(0.0, control_height(ui, ROW_HEIGHT)));
+            let button = ui.add_enabled(change.is_some(), button);
+            button.widget_info(|| WidgetInfo::labeled(Role::Button, change.is_some(), tr(name)));
+            let about = change.map_or_else(|| tr(name).to_owned(), |change| say(&change.words()));
+            if button.on_hover_text(about).clicked() {
+                asked.push(action);
+            }
+        }
+    });
 }
 
 /// What is to be said, the way back, and the buttons that concern the whole lesson.
-fn buttons(ui: &mut Ui, editor: &LessonEditor, asked: &mut Vec<LessonAction>) {
+fn buttons(ui: &mut Ui, editor: &LessonEditor, held: Option<Words>, asked: &mut Vec<LessonAction>) {
     let palette = Palette::of(ui.visuals());
     if let Some(note) = &editor.note {
         ui.add(Label::new(RichText::new(say(note)).color(palette.error_edge)).wrap());
     }
-    if let Some(what) = editor.restorable() {
-        ui.horizontal(|ui| {
-            ui.label(RichText::new(tr(what)).color(palette.weak));
-            if text_button(ui, true, key::undo(), what) {
-                asked.push(LessonAction::Restore);
-            }
-        });
+    if let Some(held) = held {
+        ui.add(Label::new(RichText::new(tr(held)).color(palette.weak)).wrap());
     }
+    changes(ui, editor, asked);
     let size = vec2(ui.available_width(), control_height(ui, ROW_HEIGHT));
     let add = Button::new(RichText::new(tr(key::add_step())).color(palette.on_accent)).fill(palette.accent);
-    let add = ui.add_enabled(editor.has_room(), add.min_size(size));
-    if add.on_hover_text(tr(key::add_step_tooltip())).clicked() {
+    let is_full = (!editor.has_room()).then_some(key::lesson_is_full());
+    let refused = is_full.or_else(|| refusal(ui, held, &LessonAction::Add));
+    if explained(ui, add.min_size(size), refused, key::add_step_tooltip()) {
         asked.push(LessonAction::Add);
     }
-    let has_steps = !editor.draft().steps.is_empty();
-    let may_play = Locks::of(ui.ctx()).refused(&Action::Lesson(LessonAction::Play)).is_none();
+    let is_empty = editor.draft().steps.is_empty().then_some(key::lesson_without_steps());
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        for (label, tooltip, enabled, action) in [
-            (key::play_lesson(), key::play_lesson_tooltip(), has_steps && may_play, LessonAction::Play),
-            (key::save_lesson(), key::save_lesson_tooltip(), has_steps, LessonAction::Save),
-            (key::lesson_link(), key::lesson_link_tooltip(), has_steps, LessonAction::CopyLink),
-            (key::open_lesson(), key::open_lesson_tooltip(), true, LessonAction::OpenFile),
+        for (label, tooltip, needs, action) in [
+            (key::play_lesson(), key::play_lesson_tooltip(), is_empty, LessonAction::Play),
+            (key::save_lesson(), key::save_lesson_tooltip(), is_empty, LessonAction::Save),
+            (key::lesson_link(), key::lesson_link_tooltip(), is_empty, LessonAction::CopyLink),
+            (key::open_lesson(), key::open_lesson_tooltip(), None, LessonAction::OpenFile),
         ] {
-            if text_button(ui, enabled, label, tooltip) {
+            let refused = needs.or_else(|| refusal(ui, held, &action));
+            if text_button(ui, refused, label, tooltip) {
                 asked.push(action);
             }
         }
