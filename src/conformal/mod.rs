@@ -104,7 +104,9 @@ pub use prepare::{
     prepare_curve, prepare_on_curve, prepare_surface, prepare_within,
 };
 pub use prepared_side::{PreparedSide, SideGeometry};
-pub use quadrilateral::{GridCells, MOST_CELLS, MOST_LENGTH, Marks, OrthogonalGrid, Quadrilateral, QuadrilateralError};
+pub use quadrilateral::{
+    GridCells, MOST_CELLS, MOST_LENGTH, Marks, OrthogonalGrid, Quadrilateral, QuadrilateralError, RectangleMap,
+};
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
 pub use resolution::{Refining, Resampled, ResolveError, ResolvedBoundary};
 pub use surface::MeshedSurface;

@@ -29,8 +29,8 @@ pub enum QuadrilateralError {
     },
     /// Two opposite sides are so far from each other that harmonic measure tells little of one of them from the other.
     #[error(
-        "the side from mark {} to {} is too far from the side from mark {} to {}: the quadrilateral is about {length:.0} \
-             times as long as wide, and {} is the limit",
+        "the side from mark {} to {} is too far from the side from mark {} to {}: the quadrilateral is \
+             {length:.0} or more times as long as wide, and {} is the limit",
         .side + 1, .side + 2, .side + 3, (.side + 3) % 4 + 1, super::MOST_LENGTH
     )]
     TooLong {

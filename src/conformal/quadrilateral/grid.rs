@@ -1,9 +1,7 @@
 //! Orthogonal grids: the images of the lines of a rectangle's lattice.
 
-use super::boundary::BoundaryMap;
-use super::{Quadrilateral, QuadrilateralError};
-use crate::cauchy_integral::{BoundaryFunction as _, CauchyIntegral};
-use crate::geometry::{Curve, CurvePoint, DVec2, Piece};
+use super::map::{Place, RectangleMap};
+use crate::geometry::DVec2;
 use rayon::prelude::*;
 
 /// The most cells along a side.
@@ -47,24 +45,21 @@ impl OrthogonalGrid {
         &self.nodes
     }
 
+    /// The four corners of the quadrilateral.
+    pub fn corners(&self) -> [DVec2; 4] {
+        let [n, m] = self.cells.0.map(|count| count as usize);
+        [0, n, n + (n + 1) * m, (n + 1) * m].map(|k| self.nodes[k])
+    }
+
     /// The estimated error of a node, the largest one.
     pub fn image_error(&self) -> f64 {
         self.image_error
     }
 
     /// By how many degrees the tangents of two lines, measured by differences along each, deviate from a right angle: the
-    /// largest deviation at [`MEASURED`] interior nodes or fewer; `None` without interior nodes.
+    /// largest deviation at up to 2,048 interior nodes; `None` without interior nodes.
     pub fn deviation(&self) -> Option<f64> {
         self.deviation
-    }
-
-    /// The lines: those of constant j, then those of constant i, each from its first node to its last.
-    pub fn lines(&self) -> impl Iterator<Item = Vec<DVec2>> + '_ {
-        let [n, m] = self.cells.0.map(|count| count as usize);
-        let node = move |i: usize, j: usize| self.nodes[i + (n + 1) * j];
-        let rows = (0..=m).map(move |j| (0..=n).map(|i| node(i, j)).collect());
-        let columns = (0..=n).map(move |i| (0..=m).map(|j| node(i, j)).collect());
-        rows.chain(columns)
     }
 
     /// The corners of every cell as indices of nodes, counter-clockwise.
@@ -78,110 +73,44 @@ impl OrthogonalGrid {
 }
 
 /// The most nodes at which the angle between the lines is measured.
-pub const MEASURED: usize = 2048;
-/// The step of differences along a line, in distances from the rectangle's boundary: by Koebe's and de Branges's bounds of
-/// the derivatives those of fourth order are off by 4e-7 at most.
-const STEP: f64 = 0.01;
+const MEASURED: usize = 2048;
+/// The least number of steps in which a line is drawn.
+const DRAWN: u32 = 128;
 
-/// The map of the rectangle onto a quadrilateral.
-struct RectangleMap<'a> {
-    boundary: BoundaryMap<'a>,
-    inside: CauchyIntegral,
-    size: DVec2,
-}
-
-impl Quadrilateral {
-    /// The grid with these numbers of cells along the sides from corner 1 to 2 and from corner 2 to 3. `progress` is called
-    /// with the completed fraction.
-    pub fn grid(
-        &self,
-        cells: GridCells,
-        progress: &(dyn Fn(f64) + Sync),
-    ) -> Result<OrthogonalGrid, QuadrilateralError> {
-        let map = RectangleMap::new(self)?;
-        let [n, m] = cells.0;
-        let row = |j: u32| {
+impl RectangleMap<'_> {
+    /// The grid with these numbers of cells. `progress` is called with the completed fraction.
+    pub fn grid(&self, cells: GridCells, progress: &mut dyn FnMut(f64)) -> OrthogonalGrid {
+        let steps @ [n, m] = cells.0;
+        let (mut nodes, mut image_error) = (Vec::new(), 0.0_f64);
+        for j in 0..=m {
             progress(f64::from(j) / f64::from(m + 1));
-            (0..=n).into_par_iter().map(move |i| Place { cells: [n, m], at: [i, j] })
-        };
-        let images: Vec<(DVec2, f64)> =
-            (0..=m).flat_map(|j| row(j).map(|place| map.node(place)).collect::<Vec<_>>()).collect();
-        let deviation = map.deviation(cells);
-        let image_error = images.iter().map(|(_, error)| *error).fold(0.0, f64::max);
-        Ok(OrthogonalGrid { cells, nodes: images.into_iter().map(|(node, _)| node).collect(), image_error, deviation })
-    }
-}
-
-/// A node of the lattice.
-#[derive(Debug, Clone, Copy)]
-struct Place {
-    cells: [u32; 2],
-    at: [u32; 2],
-}
-
-impl Place {
-    /// The point of the rectangle's boundary; `None` inside. Shares count from the nearer end of each side's first corner.
-    fn on_boundary(self) -> Option<CurvePoint> {
-        let ([n, m], [i, j]) = (self.cells, self.at);
-        let share = |k: u32, of: u32| f64::from(k) / f64::from(of);
-        let along = |piece: usize, k: u32, of: u32| {
-            if 2 * k <= of { CurvePoint::new(piece, share(k, of)) } else { CurvePoint::before_end(piece, share(of - k, of)) }
-        };
-        match (i, j) {
-            (_, 0) => Some(along(0, i, n)),
-            _ if i == n => Some(along(1, j, m)),
-            _ if j == m => Some(along(2, n - i, n)),
-            (0, _) => Some(along(3, m - j, m)),
-            _ => None,
+            let image = |i: u32| self.image_with_error(Place { steps, at: [i, j] });
+            let row: Vec<(DVec2, f64)> = (0..=n).into_par_iter().map(image).collect();
+            image_error = row.iter().map(|(_, error)| *error).fold(image_error, f64::max);
+            nodes.extend(row.into_iter().map(|(node, _)| node));
         }
+        OrthogonalGrid { cells, nodes, image_error, deviation: self.deviation(steps) }
     }
 
-    fn position(self, size: DVec2) -> DVec2 {
-        let share = |k: usize| f64::from(self.at[k]) / f64::from(self.cells[k]);
-        size * DVec2::new(share(0), share(1))
-    }
-}
-
-impl<'a> RectangleMap<'a> {
-    fn new(quadrilateral: &'a Quadrilateral) -> Result<Self, QuadrilateralError> {
-        let size = DVec2::new(1.0, quadrilateral.modulus.value);
-        let corners = [DVec2::ZERO, DVec2::new(size.x, 0.0), size, DVec2::new(0.0, size.y)];
-        let rectangle = Curve::new((0..4).map(|k| Piece::Line([corners[k], corners[(k + 1) % 4]])).collect())?;
-        let boundary = BoundaryMap::new(quadrilateral);
-        let inside = CauchyIntegral::new(&rectangle, &boundary.breaks(), &boundary);
-        Ok(Self { boundary, inside, size })
-    }
-
-    /// The image of a node and its error.
-    fn node(&self, place: Place) -> (DVec2, f64) {
-        if let Some(at) = place.on_boundary() {
-            return (self.boundary.value(at), self.boundary.error(at));
-        }
-        let found = self.inside.evaluate(place.position(self.size));
-        (found.value, found.error)
+    /// The lines of a grid inside, for drawing: those of constant j in the first list, those of constant i in the second,
+    /// divided further where their nodes are few.
+    pub fn lines(&self, cells: GridCells) -> [Vec<Vec<DVec2>>; 2] {
+        let [n, m] = cells.0;
+        let [fine_n, fine_m] = cells.0.map(|count| count * DRAWN.div_ceil(count));
+        let row = |j: u32| (0..=fine_n).map(|i| self.image(Place { steps: [fine_n, m], at: [i, j] })).collect();
+        let column = |i: u32| (0..=fine_m).map(|j| self.image(Place { steps: [n, fine_m], at: [i, j] })).collect();
+        [(1..m).into_par_iter().map(row).collect(), (1..n).into_par_iter().map(column).collect()]
     }
 
     /// [`OrthogonalGrid::deviation`].
-    fn deviation(&self, cells: GridCells) -> Option<f64> {
-        let [n, m] = cells.0;
-        let count = (n as usize - 1) * (m as usize - 1);
-        let angle = |k: usize| {
-            let (i, j) = (k % (n as usize - 1), k / (n as usize - 1));
-            self.angle(Place { cells: cells.0, at: [i as u32 + 1, j as u32 + 1] }.position(self.size))
+    fn deviation(&self, steps @ [n, m]: [u32; 2]) -> Option<f64> {
+        let (inner_n, inner_m) = (n as usize - 1, m as usize - 1);
+        let count = inner_n * inner_m;
+        let stride = count.div_ceil(MEASURED).max(1);
+        let off = |k: usize| {
+            let at = [k * stride % inner_n, k * stride / inner_n].map(|k| k as u32 + 1);
+            (self.angle(Place { steps, at }).to_degrees() - 90.0).abs()
         };
-        let step = count.div_ceil(MEASURED).max(1);
-        let off = |k: usize| (angle(k * step).to_degrees() - 90.0).abs();
-        (0..count.div_ceil(step)).into_par_iter().map(off).reduce_with(f64::max)
-    }
-
-    /// The angle between the two lines through a point.
-    fn angle(&self, w: DVec2) -> f64 {
-        let from_boundary = w.min_element().min((self.size - w).min_element());
-        let step = STEP * from_boundary;
-        let difference = |direction: DVec2| {
-            let at = |k: f64| self.inside.evaluate(w + k * step * direction).value;
-            8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))
-        };
-        difference(DVec2::X).angle_to(difference(DVec2::Y))
+        (0..count.div_ceil(stride)).into_par_iter().map(off).reduce_with(f64::max)
     }
 }

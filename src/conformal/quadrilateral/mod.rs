@@ -4,7 +4,7 @@
 //! There is one such map up to the rectangle's size, and no second outline is needed for it: harmonic measure takes the
 //! outline to the circle, and Jacobi's sn² the circle to the rectangle (`side`). Both are known at every boundary point in
 //! closed form or by the integral equation; the inverse map g: rectangle → domain inside is Cauchy's integral of its
-//! boundary values over the rectangle (`boundary`, [`crate::cauchy_integral`]). The images of a lattice are an orthogonal
+//! boundary values over the rectangle (`boundary`, `map`, [`crate::cauchy_integral`]). The images of a lattice are an orthogonal
 //! grid (`grid`). Everything is seen from the middle of the quadrilateral (`middle`), where nothing cancels.
 //!
 //! Everything is computed at two resolutions of the integral equation; the difference is the error. Source of the formulas:
@@ -13,6 +13,7 @@
 mod boundary;
 mod error;
 mod grid;
+mod map;
 mod marks;
 mod middle;
 mod side;
@@ -26,10 +27,15 @@ use crate::boundary_integral::{
 use crate::geometry::{Curve, CurvePoint, DVec2};
 pub use error::QuadrilateralError;
 pub use grid::{GridCells, MOST_CELLS, OrthogonalGrid};
+pub use map::RectangleMap;
 pub use marks::Marks;
 
-/// The largest extremal distance between opposite sides of a quadrilateral.
-pub const MOST_LENGTH: f64 = 15.0;
+/// The largest extremal distance between opposite sides of a quadrilateral. Measures of short sides lose a factor of 5 of
+/// their accuracy with each unit.
+pub const MOST_LENGTH: f64 = 22.5;
+
+/// Measures of arcs below this one are rounding.
+const LEAST: f64 = 1e-15;
 
 /// A domain with four boundary points, its corners.
 #[derive(Debug, Clone)]
@@ -91,9 +97,8 @@ impl Quadrilateral {
 
 /// Errors: the quadrilateral is too long.
 fn check_length(resolved: &Resolved) -> Result<(), QuadrilateralError> {
-    let modulus = resolved.modulus;
+    let modulus = modulus(resolved.arcs.map(|arc| arc.max(LEAST)));
     let length = modulus.max(modulus.recip());
-    // a modulus from measures that are rounding may be anything, 0 and infinity among them
     if length <= MOST_LENGTH {
         return Ok(());
     }
