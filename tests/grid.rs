@@ -115,7 +115,8 @@ fn known_quadrilaterals_have_their_moduli() {
     ] {
         let made = Made::new(&folder, outline, marks, "4x4");
         made.assert_modulus(&format!("{outline}, {marks}"), expected, 1e-12);
-        assert!(made.number("image_error") < 1e-9, "{outline}: {}", made.json);
+        // a node next to a corner of 90°, as that at (0, 0), is known to the root of the measure's error
+        assert!(made.number("image_error") < 1e-6, "{outline}: {}", made.json);
     }
 }
 
@@ -172,15 +173,18 @@ fn lines_meet_at_right_angles() {
         ("square", "0.1,0.2,0.6,0.9"),
         ("l-shape", "0.05,0.3,0.55,0.8"),
         ("blob", "0,0.25,0.5,0.75"),
-        ("ellipse", "0.1,0.35,0.6,0.85"),
         ("heart", "0.1,0.4,0.6,0.9"),
+        ("cinquefoil", "0.1,0.35,0.6,0.85"),
+        ("star", "0.1,0.2,0.6,0.9"),
+        ("hand", "0,0.25,0.5,0.75"),
+        ("v-shape", "0.1,0.2,0.6,0.9"),
     ] {
         let made = Made::new(&folder, &format!("preset:{preset}"), marks, "48x48");
         let (said, found, error) = (made.number("angle_deviation"), made.deviation(8), made.number("image_error"));
         println!("{preset}: {said:e} by the program, {found:e} by the file's nodes; nodes to {error:e}");
-        assert!(said < 1e-3, "{preset}: off by {said:e} degrees");
+        assert!(said < 1e-6, "{preset}: off by {said:e} degrees");
         assert!(found < 0.1, "{preset}: off by {found:e} degrees");
-        assert!(error < 1e-6, "{preset}: nodes to {error:e}");
+        assert!(error < 1e-5, "{preset}: nodes to {error:e}");
     }
 }
 
@@ -219,9 +223,9 @@ fn every_format_holds_the_same_nodes() {
         0.5 * (places[2] - places[0]).perp_dot(places[3] - places[1])
     };
     assert!(faces.iter().all(|face| area(face) > 0.0), "a cell is not counter-clockwise");
-    // but for the chords across the reentrant corner, the cells fill the L
+    // but for chords across corners, the cells fill the L
     let total: f64 = faces.iter().map(area).sum();
-    assert!((total - 3.0).abs() < 0.2, "{total}");
+    assert!((2.5..3.0).contains(&total), "{total}");
     let vtk = read(&vtk);
     let mut lines = vtk.lines();
     assert_eq!(lines.next(), Some("# vtk DataFile Version 3.0"));

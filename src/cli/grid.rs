@@ -43,9 +43,8 @@ pub fn run(arguments: &GridArguments) -> Result<(), CliError> {
 
 fn format_of(path: &Path) -> Result<GridFormat, CliError> {
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
-    GridFormat::from_extension(extension).ok_or_else(|| {
-        CliError::Usage(format!("--out {}: the extension must be csv, svg, obj or vtk", path.display()))
-    })
+    GridFormat::from_extension(extension)
+        .ok_or_else(|| CliError::Usage(format!("--out {}: the extension must be csv, svg, obj or vtk", path.display())))
 }
 
 /// The report of `--json`.

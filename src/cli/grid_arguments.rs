@@ -19,7 +19,7 @@ pub struct GridArguments {
     #[arg(long, value_name = "S,S,S,S", allow_hyphen_values = true)]
     pub marks: MarksArgument,
     /// The number of cells from mark 1 to mark 2 and from mark 2 to mark 3; each at most 1000.
-    #[arg(long, value_name = "NxM")]
+    #[arg(long, value_name = "NxM", allow_hyphen_values = true)]
     pub cells: CellsArgument,
     /// What an outline's points are taken for, as for `riemap map`.
     #[arg(long, default_value = "auto")]

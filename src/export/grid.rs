@@ -52,7 +52,8 @@ fn csv(grid: &OrthogonalGrid) -> String {
 
 fn obj(grid: &OrthogonalGrid) -> String {
     let [n, m] = grid.cells().counts();
-    let mut text = format!("# riemap: an orthogonal grid of {n} x {m} cells; vertex 1 + i + {} j is node (i, j)\n", n + 1);
+    let mut text =
+        format!("# riemap: an orthogonal grid of {n} x {m} cells; vertex 1 + i + {} j is node (i, j)\n", n + 1);
     for node in grid.nodes() {
         let _ = writeln!(text, "v {} {} 0", node.x, node.y);
     }

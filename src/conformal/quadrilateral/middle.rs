@@ -6,43 +6,82 @@
 //! point: one step leads from there to the middle, except that measures below rounding hold it up.
 
 use super::side::{self, QuadrilateralSide, SideEnd};
-use super::{QuadrilateralError, Resolved};
-use crate::boundary_integral::{BoundaryIntegral, Settings};
+use super::{LEAST, MOST_LENGTH, QuadrilateralError, Resolved};
+use crate::boundary_integral::{BoundaryIntegral, Settings, modulus};
 use crate::geometry::{Curve, CurvePoint, DVec2};
-use std::f64::consts::PI;
+use std::f64::consts::{LN_2, PI};
 
-/// Measures of arcs below this one are rounding.
-const LEAST: f64 = 1e-14;
-/// ρ of the sides at a point that counts as the middle. The next steps then cancel nothing yet.
-const BALANCED: std::ops::RangeInclusive<f64> = 0.5..=2.0;
-/// Steps. Each comes nearer by five widths of a long quadrilateral; those that are longer than 15 widths are refused.
-const STEPS: usize = 16;
+/// ρ of the sides at a point that counts as the middle, as |log ρ|. The next steps then cancel nothing yet.
+const BALANCED: f64 = LN_2;
+/// Steps. Each comes nearer by four widths of a long quadrilateral.
+const STEPS: usize = 8;
 /// Places on each side of which the mean is taken, equally spaced in measure from the middle.
 const PLACES: u32 = 32;
 /// Halvings of a step that leads out of the curve.
 const HALVINGS: usize = 8;
+/// The least distance from a corner at which a beginning beside it is looked for, in perimeters: 2 to the minus this.
+const NEAREST: i32 = 16;
+/// The place of that beginning between the corner and the farthest point found inside: about the middle of a channel.
+const WITHIN: f64 = 0.7;
 
-/// The middle of the quadrilateral with these corners, approximately, found from the point `start` inside; with the curve's
-/// equation, which resolves it. Errors: the equation's; no middle was found.
-pub fn middle(
+/// The middle of the quadrilateral with these corners, approximately, found from the point `start` inside or from beside a
+/// corner, whichever sees the sides more nearly alike; with the measure from there.
+///
+/// Errors: the equation's; no middle was found.
+pub fn middle(curve: &Curve, corners: [CurvePoint; 4], start: DVec2) -> Result<(DVec2, Resolved), QuadrilateralError> {
+    let beside = corners.iter().filter_map(|&corner| beside(curve, corner));
+    let starts: Vec<DVec2> = std::iter::once(start).chain(beside).collect();
+    let integral = BoundaryIntegral::prepare(curve, &Settings::default().with_points(&starts))?;
+    let mut seen = Vec::new();
+    for x in starts {
+        seen.push((x, Seen::new(Resolved::new(&integral, x, corners)?)));
+    }
+    seen.sort_by(|a, b| a.1.imbalance().total_cmp(&b.1.imbalance()));
+    // what a point sees that sees nothing of a side is a bound only
+    let hidden = seen.iter().find(|(_, seen)| seen.resolved.arcs.iter().any(|&arc| arc < LEAST));
+    let error = hidden.map_or(QuadrilateralError::NoMiddle, |(_, seen)| seen.too_long());
+    for (x, seen) in seen {
+        if let Some(found) = from_start(curve, corners, (x, seen), &integral)? {
+            return Ok(found);
+        }
+    }
+    Err(error)
+}
+
+/// The middle, found by steps from a point; `None` if they do not lead there.
+fn from_start(
     curve: &Curve,
     corners: [CurvePoint; 4],
-    start: DVec2,
-) -> Result<(DVec2, BoundaryIntegral), QuadrilateralError> {
+    (mut x, mut seen): (DVec2, Seen),
+    first: &BoundaryIntegral,
+) -> Result<Option<(DVec2, Resolved)>, QuadrilateralError> {
     let prepare = |x: DVec2| BoundaryIntegral::prepare(curve, &Settings::default().with_points(&[x]));
-    let (mut x, mut integral) = (start, prepare(start)?);
     for _ in 0..STEPS {
-        let seen = Seen::new(Resolved::new(&integral, x, corners)?);
-        if seen.is_balanced() {
-            return Ok((x, integral));
+        if seen.imbalance() <= BALANCED {
+            return Ok(Some((x, seen.resolved)));
         }
         let Some(next) = inside(curve, x, seen.middle(curve, corners)) else { break };
         x = next;
-        if !integral.resolves(x) {
-            integral = prepare(x)?;
-        }
+        let resolved = if first.resolves(x) {
+            Resolved::new(first, x, corners)?
+        } else {
+            Resolved::new(&prepare(x)?, x, corners)?
+        };
+        seen = Seen::new(resolved);
     }
-    Err(QuadrilateralError::NoMiddle)
+    Ok(None)
+}
+
+/// A point inside, at about half the width of the domain from a corner.
+fn beside(curve: &Curve, corner: CurvePoint) -> Option<DVec2> {
+    let count = curve.pieces().len();
+    let tangent = |piece: usize, t: f64| curve.pieces()[piece].jet(t).first.normalize_or_zero();
+    let after = tangent(corner.piece(), corner.from_start());
+    let before = if corner.from_start() == 0.0 { tangent((corner.piece() + count - 1) % count, 1.0) } else { after };
+    let (place, inwards) = (curve.position(corner), (before + after).perp().normalize_or_zero());
+    let distances = (2..=NEAREST).rev().map(|k| curve.perimeter() * 0.5_f64.powi(k));
+    let farthest = distances.take_while(|d| curve.contains(place + d * inwards)).last()?;
+    Some(place + WITHIN * farthest * inwards).filter(|&x| curve.contains(x))
 }
 
 /// The end of the step from `x` to `wanted`, or of a part of it, that lies inside.
@@ -57,6 +96,7 @@ struct Seen {
     sides: [QuadrilateralSide; 4],
     /// The measures of neighboring sides, seen from the middle.
     from_middle: [f64; 2],
+    modulus: f64,
 }
 
 impl Seen {
@@ -64,13 +104,21 @@ impl Seen {
         let arcs = resolved.arcs.map(|arc| arc.max(LEAST));
         let sine = |omega: f64| (PI * omega).sin();
         let [near, far] = [sine(arcs[0]) * sine(arcs[2]), sine(arcs[1]) * sine(arcs[3])];
+        let modulus = modulus(arcs);
         // from the middle, the chords of opposite sides are equal and the diagonals are diameters
         let from_middle = [near, far].map(|product| (product / (near + far)).sqrt().min(1.0).asin() / PI);
-        Self { resolved, sides: side::sides(arcs, 1.0), from_middle }
+        Self { resolved, sides: side::sides(arcs, modulus), from_middle, modulus }
     }
 
-    fn is_balanced(&self) -> bool {
-        self.sides.iter().all(|side| BALANCED.contains(&side.balance()))
+    /// The largest |log ρ| of the sides: 0 from the middle.
+    fn imbalance(&self) -> f64 {
+        self.sides.iter().map(|side| side.balance().ln().abs()).fold(0.0, f64::max)
+    }
+
+    /// The error that the sides which are farther from each other are too far.
+    fn too_long(&self) -> QuadrilateralError {
+        let length = self.modulus.max(self.modulus.recip()).max(MOST_LENGTH);
+        QuadrilateralError::TooLong { side: usize::from(self.modulus < 1.0), length }
     }
 
     /// The mean of the boundary's places by harmonic measure from the middle.

@@ -34,7 +34,9 @@ pub enum SideEnd {
 pub fn sides(arcs: [f64; 4], modulus: f64) -> [QuadrilateralSide; 4] {
     let sine = |omega: f64| (PI * omega).sin();
     let [a, b, c, d] = arcs.map(sine);
-    let [ac, bd] = [sine(arcs[0] + arcs[1]), sine(arcs[1] + arcs[2])];
+    // of both ways from one mark to the opposite one, the smaller measure is right in proportion to itself
+    let chord = |k: usize| sine((arcs[k] + arcs[k + 1]).min(arcs[k + 2] + arcs[(k + 3) % 4]));
+    let [ac, bd] = [chord(0), chord(1)];
     // the diagonals take turns
     let squares = [ac * d / (b * bd), bd * a / (c * ac), ac * b / (d * bd), bd * c / (a * ac)];
     std::array::from_fn(|k| QuadrilateralSide {
