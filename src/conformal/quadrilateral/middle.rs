@@ -6,7 +6,7 @@
 //! point: one step leads from there to the middle, except that measures below rounding hold it up.
 
 use super::side::{self, QuadrilateralSide, SideEnd};
-use super::{LEAST, MOST_LENGTH, QuadrilateralError, Resolved};
+use super::{LEAST, MOST_LENGTH, QuadrilateralError, Resolved, above_rounding};
 use crate::boundary_integral::{BoundaryIntegral, Settings, modulus};
 use crate::geometry::{Curve, CurvePoint, DVec2};
 use std::f64::consts::{LN_2, PI};
@@ -101,7 +101,7 @@ struct Seen {
 
 impl Seen {
     fn new(resolved: Resolved) -> Self {
-        let arcs = resolved.arcs.map(|arc| arc.max(LEAST));
+        let arcs = above_rounding(resolved.arcs);
         let sine = |omega: f64| (PI * omega).sin();
         let [near, far] = [sine(arcs[0]) * sine(arcs[2]), sine(arcs[1]) * sine(arcs[3])];
         let modulus = modulus(arcs);

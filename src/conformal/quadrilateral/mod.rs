@@ -95,9 +95,17 @@ impl Quadrilateral {
     }
 }
 
+/// The measures of arcs, those below rounding replaced by it, and the largest one by what the others leave.
+fn above_rounding(arcs: [f64; 4]) -> [f64; 4] {
+    let mut arcs = arcs.map(|arc| arc.max(LEAST));
+    let largest = (1..4).fold(0, |best, k| if arcs[k] > arcs[best] { k } else { best });
+    arcs[largest] = 1.0 - (1..4).map(|k| arcs[(largest + k) % 4]).sum::<f64>();
+    arcs
+}
+
 /// Errors: the quadrilateral is too long.
 fn check_length(resolved: &Resolved) -> Result<(), QuadrilateralError> {
-    let modulus = modulus(resolved.arcs.map(|arc| arc.max(LEAST)));
+    let modulus = modulus(above_rounding(resolved.arcs));
     let length = modulus.max(modulus.recip());
     if length <= MOST_LENGTH {
         return Ok(());
