@@ -36,9 +36,12 @@ pub fn middle(curve: &Curve, corners: [CurvePoint; 4], start: DVec2) -> Result<(
     for x in starts {
         seen.push((x, Seen::new(Resolved::new(&integral, x, corners)?)));
     }
-    seen.sort_by(|a, b| a.1.imbalance().total_cmp(&b.1.imbalance()));
+    seen.sort_by(|a, b| {
+        let [first, second] = [a, b].map(|(_, seen)| (seen.hides_a_side(), seen.imbalance()));
+        first.0.cmp(&second.0).then(first.1.total_cmp(&second.1))
+    });
     // what a point sees that sees nothing of a side is a bound only
-    let hidden = seen.iter().find(|(_, seen)| seen.resolved.arcs.iter().any(|&arc| arc < LEAST));
+    let hidden = seen.iter().find(|(_, seen)| seen.hides_a_side());
     let error = hidden.map_or(QuadrilateralError::NoMiddle, |(_, seen)| seen.too_long());
     for (x, seen) in seen {
         if let Some(found) = from_start(curve, corners, (x, seen), &integral)? {
@@ -57,7 +60,7 @@ fn from_start(
 ) -> Result<Option<(DVec2, Resolved)>, QuadrilateralError> {
     let prepare = |x: DVec2| BoundaryIntegral::prepare(curve, &Settings::default().with_points(&[x]));
     for _ in 0..STEPS {
-        if seen.imbalance() <= BALANCED {
+        if !seen.hides_a_side() && seen.imbalance() <= BALANCED {
             return Ok(Some((x, seen.resolved)));
         }
         let Some(next) = inside(curve, x, seen.middle(curve, corners)) else { break };
@@ -108,6 +111,12 @@ impl Seen {
         // from the middle, the chords of opposite sides are equal and the diagonals are diameters
         let from_middle = [near, far].map(|product| (product / (near + far)).sqrt().min(1.0).asin() / PI);
         Self { resolved, sides: side::sides(arcs, modulus), from_middle, modulus }
+    }
+
+    /// Whether the measure of a side is below rounding. The sides' ρ then say where to go, but not that the middle is
+    /// near: sides of which nothing is seen look alike.
+    fn hides_a_side(&self) -> bool {
+        self.resolved.arcs.iter().any(|&arc| arc < LEAST)
     }
 
     /// The largest |log ρ| of the sides: 0 from the middle.

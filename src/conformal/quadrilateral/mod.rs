@@ -32,7 +32,7 @@ pub use marks::Marks;
 
 /// The largest extremal distance between opposite sides of a quadrilateral. With each unit the measures
 /// of the short sides, and the places along the long ones, lose a factor of 5 of their accuracy: grids of rectangles of
-/// lengths 10, 14, 17, 18, 20 and 22 are off by 2e-11, 8e-9, 1e-6, 5e-6, 3e-4 and 3e-3 widths.
+/// lengths 10, 14, 17, 18, 20 and 22 are off by 4e-11, 2e-8, 2e-6, 5e-6, 3e-4 and 3e-3 widths.
 pub const MOST_LENGTH: f64 = 18.0;
 
 /// Measures of arcs below this one are rounding.
