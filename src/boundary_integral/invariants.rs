@@ -115,7 +115,7 @@ pub fn invariants(curve: &Curve, request: &InvariantsRequest) -> Result<Invarian
         arcs: marked.map(|(a, b)| std::array::from_fn(|k| measure(a[k], b[k]))),
         conformal_radius: radius,
         capacity: both(coarse.log_capacity, fine.log_capacity, 1.0).exp(),
-        modulus: marked.map(|(a, b)| modulus_of(a, b)),
+        modulus: marked.map(|(a, b)| modulus_of_both(a, b)),
         hyperbolic_distance: match request.second_point {
             Some(second) if second == request.point => Some(Estimate { value: 0.0, error: 0.0 }),
             _ => coarse.green.zip(fine.green).map(|(a, b)| both(a, b, 1.0).hyperbolic(condition)),
@@ -138,8 +138,9 @@ fn measure(coarse: f64, fine: f64) -> Estimate {
     Estimate { value: fine, error: SAFETY * (fine - coarse).abs() + rounding }
 }
 
-/// The difference of the moduli, and what the errors of the arcs do to the finer one.
-fn modulus_of(coarse: [f64; 4], fine: [f64; 4]) -> Estimate {
+/// The [modulus](super::modulus) of the arcs at the finer of two resolutions; its error is the difference of both, and what
+/// the errors of the arcs do to the finer one.
+pub fn modulus_of_both(coarse: [f64; 4], fine: [f64; 4]) -> Estimate {
     let value = modulus(fine);
     let changed = |k: usize| {
         let mut arcs = fine;

@@ -27,10 +27,11 @@ mod system;
 
 use crate::geometry::{Curve, DVec2};
 use corner::Problem;
+pub use elliptic::modulus;
 pub use error::BoundaryIntegralError;
 #[cfg(feature = "io")]
 pub(crate) use flat::FlatIntegral;
-pub use invariants::{Estimate, Invariants, InvariantsRequest, invariants};
+pub use invariants::{Estimate, Invariants, InvariantsRequest, invariants, modulus_of_both};
 use layout::{Fineness, Layout, layout};
 pub use measure::{AnchoredMeasure, HarmonicMeasure};
 use peak::peaks;

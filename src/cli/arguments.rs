@@ -3,6 +3,7 @@
 use super::discretization::Discretization;
 use super::flatten_arguments::FlattenArguments;
 use super::formula_arguments::FormulaArguments;
+use super::grid_arguments::GridArguments;
 use super::invariants_arguments::InvariantsArguments;
 use super::ladder_arguments::LadderArguments;
 use super::map_arguments::MapArguments;
@@ -39,6 +40,8 @@ pub enum Subcommand {
     /// Computes conformal invariants of an outline to many digits, each with its error: harmonic measure, conformal
     /// radius, capacity, modulus, hyperbolic distance.
     Invariants(InvariantsArguments),
+    /// Divides an outline between four marks by an orthogonal grid, the image of a rectangle's under the conformal map.
+    Grid(GridArguments),
     /// Writes the map between two outlines, and its inverse, as rational functions: as numbers or as code.
     Formula(Box<FormulaArguments>),
     /// Reproduces a figure of the paper: a drawing and a table of its numbers.

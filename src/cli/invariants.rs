@@ -2,23 +2,21 @@
 
 use super::CliError;
 use super::invariants_arguments::InvariantsArguments;
-use super::named_outline::read_outline;
+use super::named_curve::NamedCurve;
 use super::output::print;
 use crate::boundary_integral::{BoundaryIntegralError, Estimate, Invariants, InvariantsRequest, invariants};
-use crate::geometry::Curve;
-use crate::outline::{OutlineCurve, OutlineNote, Preset};
 use std::fmt::Write as _;
-use std::str::FromStr as _;
 
 /// Computes and prints the invariants.
 pub fn run(arguments: &InvariantsArguments) -> Result<(), CliError> {
-    let given = Given::read(arguments)?;
-    let marks = arguments.marks.map(|marks| marks.0.map(|fraction| given.curve.point_at_fraction(fraction)));
+    let given = NamedCurve::read(&arguments.outline, arguments.repair, arguments.interpret)?;
+    let point = |fraction| given.curve.point_at_fraction(fraction);
+    let marks = arguments.marks.map(|marks| marks.0.fractions().map(point));
     let request = InvariantsRequest::new(arguments.point.0)
         .with_second_point(arguments.second_point.map(|point| point.0))
         .with_marks(marks);
     let found = invariants(&given.curve, &request).map_err(|error| refused(arguments, &error))?;
-    let measures = given.measures(&found);
+    let measures = measures(&given, &found);
     if arguments.json {
         let report = Report {
             harmonic_measure: measures.into_iter().map(Number::from).collect(),
@@ -34,42 +32,14 @@ pub fn run(arguments: &InvariantsArguments) -> Result<(), CliError> {
     print(&table(&found, &measures))
 }
 
-/// An outline as a curve.
-struct Given {
-    curve: Curve,
-    /// Whether the file's points ran clockwise, so that the curve's pieces are in the opposite order.
-    is_reversed: bool,
-}
-
-impl Given {
-    /// A preset by its formulas, or a file's curve, as it is interpreted.
-    fn read(arguments: &InvariantsArguments) -> Result<Self, CliError> {
-        let name = &arguments.outline;
-        let refused = |error: &dyn std::fmt::Display| CliError::Input(format!("{name}: {error}"));
-        if let Some(Ok(preset)) = name.strip_prefix("preset:").map(Preset::from_str) {
-            return Ok(Self { curve: preset.curve().map_err(|error| refused(&error))?, is_reversed: false });
-        }
-        let named = read_outline(name, arguments.repair)?.interpreted(arguments.interpret);
-        named.say_notes(name);
-        let polygon = named.outline.polygon();
-        let curve = match named.interpretation(name) {
-            Some(_) => named.outline.curve().map(OutlineCurve::into_curve),
-            None => Curve::from_polygon(polygon),
-        };
-        let curve = curve.map_err(|error| refused(&error))?;
-        let is_reversed = polygon.was_clockwise() || named.outline.notes().contains(&OutlineNote::Reversed);
-        Ok(Self { curve, is_reversed })
+/// The measures of the arcs from mark to mark, or else of the sides in the file's order.
+fn measures(given: &NamedCurve, found: &Invariants) -> Vec<Estimate> {
+    let mut sides = found.pieces.clone();
+    if given.is_reversed {
+        // the first point stays first, so the file's side 0 is the last piece
+        sides.reverse();
     }
-
-    /// The measures of the arcs from mark to mark, or else of the sides in the file's order.
-    fn measures(&self, found: &Invariants) -> Vec<Estimate> {
-        let mut sides = found.pieces.clone();
-        if self.is_reversed {
-            // the first point stays first, so the file's side 0 is the last piece
-            sides.reverse();
-        }
-        found.arcs.map_or(sides, |arcs| arcs.to_vec())
-    }
+    found.arcs.map_or(sides, |arcs| arcs.to_vec())
 }
 
 fn refused(arguments: &InvariantsArguments, error: &BoundaryIntegralError) -> CliError {
@@ -81,9 +51,9 @@ fn refused(arguments: &InvariantsArguments, error: &BoundaryIntegralError) -> Cl
     CliError::Input(format!("{}: {option}{error}", arguments.outline))
 }
 
-/// A number of the report.
+/// A number of a report, with its error.
 #[derive(Debug, serde::Serialize)]
-struct Number {
+pub struct Number {
     value: f64,
     error: f64,
 }
@@ -91,6 +61,13 @@ struct Number {
 impl From<Estimate> for Number {
     fn from(Estimate { value, error }: Estimate) -> Self {
         Self { value, error }
+    }
+}
+
+impl Number {
+    /// The number.
+    pub fn estimate(&self) -> Estimate {
+        Estimate { value: self.value, error: self.error }
     }
 }
 

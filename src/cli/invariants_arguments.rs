@@ -2,6 +2,7 @@
 
 use super::discretization::InterpretArgument;
 use super::values::Point;
+use crate::conformal::Marks;
 use std::str::FromStr;
 
 /// `riemap invariants OUTLINE`.
@@ -23,7 +24,7 @@ pub struct InvariantsArguments {
     /// cyclic order: print the measures of the arcs from mark to mark instead of those of the sides, and the modulus, the
     /// extremal distance between the arcs from mark 1 to 2 and from mark 3 to 4.
     #[arg(long, value_name = "S,S,S,S", allow_hyphen_values = true)]
-    pub marks: Option<Marks>,
+    pub marks: Option<MarksArgument>,
     /// What an outline's points are taken for, as for `riemap map`. The sides of a curve are the
     /// segments of a path, and the parts between corners of a smooth list of points, divided at the first point.
     #[arg(long, default_value = "auto")]
@@ -38,29 +39,17 @@ pub struct InvariantsArguments {
 
 /// Four fractions of a boundary's length in counter-clockwise cyclic order.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Marks(pub [f64; 4]);
+pub struct MarksArgument(pub Marks);
 
-/// Marks nearer to each other than this fraction of the boundary are one point.
-const APART: f64 = 1e-14;
-
-impl FromStr for Marks {
+impl FromStr for MarksArgument {
     type Err = String;
 
     /// Fractions are taken modulo 1.
     fn from_str(text: &str) -> Result<Self, String> {
-        let number = |s: &str| s.trim().parse::<f64>().ok().filter(|v| v.is_finite()).map(|v| v.rem_euclid(1.0));
-        let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
-        let Some(&[a, b, c, d]) = numbers.as_deref() else {
-            return Err("expected four finite fractions S,S,S,S, such as 0,0.25,0.5,0.75".to_owned());
-        };
-        let marks = [a, b, c, d];
-        let steps = [0, 1, 2, 3].map(|k| (marks[(k + 1) % 4] - marks[k]).rem_euclid(1.0));
-        if steps.iter().any(|&step| step < APART) {
-            return Err("two marks are the same point".to_owned());
+        let numbers: Option<Vec<f64>> = text.split(',').map(|s| s.trim().parse().ok()).collect();
+        match numbers.as_deref() {
+            Some(&[a, b, c, d]) => Marks::new([a, b, c, d]).map(Self).map_err(|error| error.to_string()),
+            _ => Err("expected four finite fractions S,S,S,S, such as 0,0.25,0.5,0.75".to_owned()),
         }
-        if steps.iter().sum::<f64>() > 1.5 {
-            return Err("the marks are not in counter-clockwise cyclic order".to_owned());
-        }
-        Ok(Self(marks))
     }
 }

@@ -1,5 +1,5 @@
-//! The command line: `riemap map`, `flatten`, `render`, `animate`, `link`, `prepare`, `invariants`, `formula`,
-//! `figure`, `bench`, `accuracy`; headless and native only.
+//! The command line: `riemap map`, `flatten`, `render`, `animate`, `link`, `prepare`, `invariants`, `grid`,
+//! `formula`, `figure`, `bench`, `accuracy`; headless and native only.
 //!
 //! Exit status: 0, 1 for bad input (one line on stderr), 2 for bad usage. Files
 //! are written whole or not at all.
@@ -17,6 +17,8 @@ mod flatten;
 mod flatten_arguments;
 mod formula;
 mod formula_arguments;
+mod grid;
+mod grid_arguments;
 mod invariants;
 mod invariants_arguments;
 mod ladder;
@@ -25,6 +27,7 @@ mod machine;
 mod map;
 mod map_arguments;
 mod moved;
+mod named_curve;
 mod named_outline;
 mod output;
 mod picture;
@@ -70,6 +73,7 @@ pub fn silence_display(command: &Subcommand) {
         Subcommand::Link(_)
             | Subcommand::Prepare(_)
             | Subcommand::Invariants(_)
+            | Subcommand::Grid(_)
             | Subcommand::Formula(_)
             | Subcommand::Bench(_)
             | Subcommand::Accuracy(_)
@@ -90,6 +94,7 @@ pub fn run(command: &Subcommand) -> ExitCode {
         Subcommand::Link(arguments) => render::link(arguments),
         Subcommand::Prepare(arguments) => prepare::run(arguments),
         Subcommand::Invariants(arguments) => invariants::run(arguments),
+        Subcommand::Grid(arguments) => grid::run(arguments),
         Subcommand::Formula(arguments) => formula::run(arguments),
         Subcommand::Figure(arguments) => figure::run(arguments),
         Subcommand::Bench(arguments) => bench::run(arguments),

@@ -19,6 +19,7 @@
 //! | images on another surface, through the disk | `through_disk` | |
 //! | the mapped mesh refined where images are long | `resolution` | |
 //! | the constraints of the map through three boundary pairs, or nearest to more | `pins` | |
+//! | the map of four marked boundary points onto the corners of a rectangle, orthogonal grids | `quadrilateral` | |
 //! | angle and area distortion | `distortion`, `histogram` | section 5.1 |
 //!
 //! A [`PreparedSide`] is a planar domain or a surface (section 4.3); the two differ only in
@@ -58,6 +59,7 @@ mod pins;
 mod places;
 mod prepare;
 mod prepared_side;
+mod quadrilateral;
 mod random_walk;
 mod refinement;
 mod resolution;
@@ -102,6 +104,9 @@ pub use prepare::{
     prepare_curve, prepare_on_curve, prepare_surface, prepare_within,
 };
 pub use prepared_side::{PreparedSide, SideGeometry};
+pub use quadrilateral::{
+    GridCells, MOST_CELLS, MOST_LENGTH, Marks, OrthogonalGrid, Quadrilateral, QuadrilateralError, RectangleMap,
+};
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
 pub use resolution::{Refining, Resampled, ResolveError, ResolvedBoundary};
 pub use surface::MeshedSurface;

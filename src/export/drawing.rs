@@ -109,11 +109,11 @@ const PANEL: f64 = 480.0;
 const MARGIN: f64 = 16.0;
 
 /// The colors of the pattern's two families of lines, and of the outline.
-const LINE_COLORS: [&str; FAMILIES] = ["#b5532a", "#2a6f97"];
-const OUTLINE_COLOR: &str = "#1b1b1f";
+pub(super) const LINE_COLORS: [&str; FAMILIES] = ["#b5532a", "#2a6f97"];
+pub(super) const OUTLINE_COLOR: &str = "#1b1b1f";
 const MESH_COLOR: &str = "#8b8f97";
 /// The colors of the interior and the boundary point.
-const POINT_COLORS: [&str; 2] = ["#009e73", "#d63ca6"];
+pub(super) const POINT_COLORS: [&str; 2] = ["#009e73", "#d63ca6"];
 
 /// A mesh whose edges are drawn: positions and triangles.
 pub type Wire<'a> = (&'a [DVec2], &'a [[u32; 3]]);
@@ -132,20 +132,21 @@ pub struct Part<'a> {
 
 /// An SVG document with the parts from left to right, and the lines of `ruling` if there is one.
 pub fn svg(parts: &[Part<'_>], ruling: Option<Ruling>) -> String {
-    let width = PANEL * parts.len() as f64;
-    let mut text = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {PANEL}\" fill=\"none\" \
-         stroke-linejoin=\"round\" stroke-linecap=\"round\">\n"
-    );
+    let mut text = opening(parts.len());
     for (k, part) in parts.iter().enumerate() {
-        let (low, high) = part.panel.bounds();
-        let scale = (PANEL - 2.0 * MARGIN) / (high - low).max_element();
-        let corner = DVec2::new((k as f64 + 0.5) * PANEL, 0.5 * PANEL);
-        let placement = Placement { middle: 0.5 * (low + high), scale, corner };
-        part.draw(&mut text, placement, ruling);
+        part.draw(&mut text, Placement::in_panel(k, part.panel.bounds()), ruling);
     }
     text.push_str("</svg>\n");
     text
+}
+
+/// The first line of a document with this number of panels.
+pub(super) fn opening(panels: usize) -> String {
+    let width = PANEL * panels as f64;
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {PANEL}\" fill=\"none\" \
+         stroke-linejoin=\"round\" stroke-linecap=\"round\">\n"
+    )
 }
 
 /// Points of an outline less apart than this, in units of the drawing, whose numbers have three decimals, are one.
@@ -153,21 +154,28 @@ const DISTINCT: f64 = 0.004;
 
 /// The transformation from a domain to the drawing, where y points down.
 #[derive(Clone, Copy)]
-struct Placement {
+pub(super) struct Placement {
     middle: DVec2,
     scale: f64,
     corner: DVec2,
 }
 
 impl Placement {
-    fn of(self, p: DVec2) -> DVec2 {
+    /// The one that fits a box, from its lower left to its upper right corner, into the panel that is number `k` from the
+    /// left.
+    pub fn in_panel(k: usize, (low, high): (DVec2, DVec2)) -> Self {
+        let scale = (PANEL - 2.0 * MARGIN) / (high - low).max_element();
+        Self { middle: 0.5 * (low + high), scale, corner: DVec2::new((k as f64 + 0.5) * PANEL, 0.5 * PANEL) }
+    }
+
+    pub fn of(self, p: DVec2) -> DVec2 {
         let q = (p - self.middle) * self.scale;
         self.corner + DVec2::new(q.x, -q.y)
     }
 
     /// The points of a closed line that differ in the drawing: a refined outline has some that its numbers do not tell
     /// apart, and whoever reads it as an outline would find them repeated.
-    fn distinct(self, points: &[DVec2]) -> Vec<DVec2> {
+    pub fn distinct(self, points: &[DVec2]) -> Vec<DVec2> {
         let least = DISTINCT / self.scale;
         let mut kept: Vec<DVec2> = Vec::with_capacity(points.len());
         for &p in points {
@@ -182,7 +190,7 @@ impl Placement {
     }
 
     /// Appends the data of a path through `points`.
-    fn path(self, text: &mut String, points: impl IntoIterator<Item = DVec2>, is_closed: bool) {
+    pub fn path(self, text: &mut String, points: impl IntoIterator<Item = DVec2>, is_closed: bool) {
         for (k, p) in points.into_iter().enumerate() {
             let p = self.of(p);
             let _ = write!(text, "{}{:.3} {:.3}", if k == 0 { 'M' } else { 'L' }, p.x, p.y);

@@ -2,13 +2,14 @@
 //!
 //! `flattened`: surfaces with texture coordinates; `glb`: as a self-contained glTF file. `numbers`: tables and meshes of maps between any two sides.
 //! `formula`: maps as rational functions, in numbers and code. `drawing`: vector graphics of the planar parts of a map,
-//! with the pattern lines of `ruling`; `hatching`: what a map does not cover.
+//! with the pattern lines of `ruling`; `grid`: orthogonal grids; `hatching`: what a map does not cover.
 
 mod drawing;
 mod flattened;
 mod format;
 mod formula;
 mod glb;
+mod grid;
 mod hatching;
 mod numbers;
 mod polylines;
@@ -19,6 +20,7 @@ pub use flattened::{Division, Flattened, Placement};
 pub use format::FileFormat;
 pub use formula::{FormulaFile, FormulaFormat};
 pub use glb::Base;
+pub use grid::GridFormat;
 pub use hatching::{hatched, hatching};
 pub use numbers::{boundary_csv, mapped_obj};
 pub use polylines::Line;

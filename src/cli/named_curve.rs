@@ -1,0 +1,39 @@
+//! Outlines named on the command line, as curves.
+
+use super::CliError;
+use super::discretization::InterpretArgument;
+use super::named_outline::read_outline;
+use crate::geometry::{Curve, SimplePolygon};
+use crate::outline::{OutlineCurve, OutlineNote, Preset};
+use std::str::FromStr as _;
+
+/// An outline as a curve.
+pub struct NamedCurve {
+    /// The curve.
+    pub curve: Curve,
+    /// The polygon that it was found from.
+    pub polygon: SimplePolygon,
+    /// Whether the file's points ran clockwise, so that the curve's pieces are in the opposite order.
+    pub is_reversed: bool,
+}
+
+impl NamedCurve {
+    /// A preset by its formulas, or a file's curve, as it is interpreted; notes are printed to stderr.
+    pub fn read(name: &str, repair: bool, interpret: InterpretArgument) -> Result<Self, CliError> {
+        let refused = |error: &dyn std::fmt::Display| CliError::Input(format!("{name}: {error}"));
+        if let Some(Ok(preset)) = name.strip_prefix("preset:").map(Preset::from_str) {
+            let curve = preset.curve().map_err(|error| refused(&error))?;
+            return Ok(Self { curve, polygon: preset.outline().into_polygon(), is_reversed: false });
+        }
+        let named = read_outline(name, repair)?.interpreted(interpret);
+        named.say_notes(name);
+        let polygon = named.outline.polygon();
+        let curve = match named.interpretation(name) {
+            Some(_) => named.outline.curve().map(OutlineCurve::into_curve),
+            None => Curve::from_polygon(polygon),
+        };
+        let curve = curve.map_err(|error| refused(&error))?;
+        let is_reversed = polygon.was_clockwise() || named.outline.notes().contains(&OutlineNote::Reversed);
+        Ok(Self { curve, polygon: named.outline.into_polygon(), is_reversed })
+    }
+}
