@@ -139,7 +139,7 @@ impl Model {
         let about = key::about(&opened.file.name, text.clone());
         match opened.origin {
             Origin::OutlineFile => {
-                self.refuse(side, UserError { quick_fix: quick_fix(opened), ..UserError::new(about) })
+                self.refuse(side, UserError { quick_fix: quick_fix(opened), ..UserError::new(about) });
             }
             Origin::PastedText => self.arrived = Some(Arrived::NoOutline(side, text)),
             Origin::SessionFile => self.arrived = Some(Arrived::NoSession(about)),
