@@ -22,6 +22,9 @@ impl Model {
     /// session that it touches, now or then; [`Touched::NOTHING`] if the command needs a surface and there is none.
     pub fn dispatch(&mut self, command: Command, now: f64) -> Touched {
         let touched = command.touches();
+        if touched.touches(Touched::NEW_SHAPE) {
+            self.pinned.expect(None);
+        }
         match command {
             Command::SetOutline { side, outline } => {
                 self.want_outline(side, outline, Vec::new());
@@ -40,10 +43,16 @@ impl Model {
             Command::SetSettings { side, settings } => self.side_mut(side).want_settings(settings, now),
             Command::Swap => self.swap(),
             Command::Open(session) => self.open(&session),
-            Command::MoveInterior { .. }
-            | Command::MoveAnchor { .. }
-            | Command::PlacePoints { .. }
-            | Command::SetDirection(_)
+            Command::SetPins(pins) => self.set_pins(pins),
+            Command::MovePin { pin, side, fraction } => return self.move_pin(pin, side, fraction),
+            Command::MoveInterior { .. } | Command::MoveAnchor { .. } | Command::PlacePoints { .. } => {
+                let touched = self.session.apply(command);
+                if touched != Touched::NOTHING {
+                    self.set_pins(None); // the points determine the map again
+                }
+                return touched;
+            }
+            Command::SetDirection(_)
             | Command::SetExtension(_)
             | Command::SetTexture(_)
             | Command::SetTextureSide(_)
@@ -83,6 +92,7 @@ impl Model {
             }
             self.open_surface(side, session.surface(side).cloned());
         }
+        self.pinned.expect(session.pins().cloned());
         self.map_error = None;
         self.changed.points = true;
     }
@@ -164,6 +174,7 @@ impl Model {
         self.sides[side].surface.preparation.dismiss();
         self.side_mut(side).error = None;
         self.map_error = self.map_error.take().filter(|(at, _)| *at != side);
+        self.pinned.dismiss(side);
     }
 
     /// The requests that are due, at most one for each side; those for the sharpened and the refined map come last.
@@ -253,6 +264,9 @@ impl Model {
         if is_new && spec.outline != self.session.domain(side).outline {
             // a surface that was opened with the outline, or before it, stays
             let (anchor, outline) = (spec.outline.first_anchor(), spec.outline);
+            if self.sides[side].incoming_points.is_none() && self.session.surface(side).is_none() {
+                self.session.apply(Command::SetPins(None));
+            }
             self.session.apply(Command::ReshapeOutline { side, outline, interior: None, anchor });
         }
         if self.sides[side].next.take_outline() {
@@ -272,6 +286,7 @@ impl Model {
     fn take_reshaped(&mut self, side: Side, spec: DomainSpec, reshaped: Reshaped) {
         let Reshaped { interior, anchor, in_hand } = reshaped;
         let interior = interior.and_then(|point| self.pushed_inside(side, point));
+        self.carry_pins(side, &spec.outline, anchor);
         self.session.apply(Command::ReshapeOutline { side, outline: spec.outline, interior, anchor });
         if !in_hand {
             self.session.apply(Command::SetSettings { side, settings: spec.settings });

@@ -10,10 +10,11 @@ impl Model {
     /// outlines, settings and surfaces in preparation and their points. A file that is still being read is not in it, and
     /// a preparation may fail.
     pub fn requested(&self) -> Session {
-        Side::BOTH.into_iter().fold(self.session.clone(), |session, side| {
+        let session = Side::BOTH.into_iter().fold(self.session.clone(), |session, side| {
             let session = session.and(self.outline_in_preparation(side));
             session.and(self.shape_in_preparation(side))
-        })
+        });
+        session.and(self.pinned.incoming().cloned().map(|pins| Command::SetPins(Some(pins))))
     }
 
     /// The commands that bring the outline in preparation, with its settings and points.

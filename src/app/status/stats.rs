@@ -24,7 +24,7 @@ pub struct DomainSize {
 }
 
 /// The places of the dots, in CSS pixels of the page; `None` where a dot is not shown.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct HandlePositions {
     /// The source's interior point.
     pub x1: Option<[f32; 2]>,
@@ -34,6 +34,8 @@ pub struct HandlePositions {
     pub y1: Option<[f32; 2]>,
     /// The target's boundary point.
     pub y2: Option<[f32; 2]>,
+    /// The source's and the target's pins; none: the points determine the map.
+    pub pins: [Vec<[f32; 2]>; 2],
 }
 
 /// The result of a map through the disk; arrays are by source and target.

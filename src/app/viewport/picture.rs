@@ -6,7 +6,7 @@ use super::surface::OrbitView;
 use super::view::{Margins, View};
 use super::{pictures::Pictures, planar, surface};
 use crate::app::input::action::Actions;
-use crate::app::input::handles::HandleState;
+use crate::app::input::handles::{HandleState, Places};
 use crate::conformal::Side;
 use crate::model::Model;
 use crate::render::{CellStyle, OrbitCamera, Pace, TextureStyle};
@@ -124,6 +124,14 @@ impl Picture<&View, &OrbitView> {
             Self::Space(orbit) => {
                 [model.surface_point(side), model.surface_anchor(side)].map(|point| orbit.to_screen(point?))
             }
+        }
+    }
+
+    /// Where the dots that can be dragged are on the screen: the two points, or the pins.
+    pub fn places(&self, model: &Model, side: Side) -> Places {
+        match self {
+            Self::Plane(view) => planar::places(side, model, view),
+            Self::Space(orbit) => surface::viewport::places(side, model, orbit),
         }
     }
 

@@ -430,6 +430,24 @@ paste_outline_source = Einen Umriss für das Urbild einfügen
 paste_outline_target = Einen Umriss für das Bild einfügen
 use_pasted = Verwenden
 
+## pins
+
+which_map = Welche Abbildung
+explain_which_map = Eine konforme Abbildung hat drei Freiheitsgrade. Ein Punkt x₁ mit seinem Bild x₂ und ein Randpunkt y₁ mit y₂ verbrauchen sie, ebenso drei Randpaare („Pins“) in gleicher Reihenfolge auf beiden Seiten: jeder Pin des Urbilds kommt genau auf den Pin mit seiner Nummer. Mehr als drei Pins verfehlt die Abbildung so wenig wie möglich (kleinste Quadrate); bei jedem steht, um wie viel.
+by_points = Punkte
+by_points_tooltip = x₁ kommt nach x₂ und y₁ nach y₂
+by_pins = Pins
+by_pins_tooltip = Drei oder mehr Randpunkte kommen auf ebenso viele Randpunkte; x₁ und x₂ folgen
+add_pin = Pin hinzufügen
+add_pin_tooltip = Fügt einen Pin mit seinem jetzigen Bild hinzu, wie ein Doppelklick auf einen Umriss. Entf entfernt den ausgewählten
+pin_misses_tooltip = Der Abstand zwischen dem Bild des Pins und dem Pin des Bilds, in dessen Einheiten
+pins_in_legend = Pins: k kommt auf k
+explain_pin = Ein Randpunkt, der auf den Pin mit derselben Nummer auf der anderen Seite kommt. Zieh ihn am Umriss entlang; ein Doppelklick auf den Umriss fügt einen hinzu.
+pin_misses_by = verfehlt um { $miss }
+remove_pin = Pin { $pin } entfernen
+pin_of_side = Pin { $pin } ({ $side })
+accessible_pin = Pin { $pin } von { $source } % nach { $target } % der Ränder, verfehlt um { $miss }.
+
 ## play panel
 
 speed = Tempo

@@ -430,6 +430,24 @@ paste_outline_source = Paste an outline for the source
 paste_outline_target = Paste an outline for the target
 use_pasted = Use it
 
+## pins
+
+which_map = Which map
+explain_which_map = A conformal map has three degrees of freedom. A point x₁ with its image x₂ and a boundary point y₁ with y₂ use them up, and so do three boundary pairs, “pins”, in the same order on both sides: each pin of the source goes exactly to the pin with its number. With more than three pins the map misses them as little as possible (least squares); each pin's miss is listed.
+by_points = Points
+by_points_tooltip = x₁ goes to x₂ and y₁ to y₂
+by_pins = Pins
+by_pins_tooltip = Three boundary points or more go to three boundary points; x₁ and x₂ follow
+add_pin = Add a pin
+add_pin_tooltip = Adds a pin with its present image; so does a double click on an outline. Delete removes the focused one
+pin_misses_tooltip = The distance between the pin's image and the pin of the target, in the target's units
+pins_in_legend = pins: k goes to k
+explain_pin = A boundary point that goes to the pin with the same number on the other side. Drag it along the outline; a double click on the outline adds one.
+pin_misses_by = miss { $miss }
+remove_pin = Remove pin { $pin }
+pin_of_side = Pin { $pin } of the { $side }
+accessible_pin = Pin { $pin } from { $source } % to { $target } % of the boundaries, missed by { $miss }.
+
 ## play panel
 
 speed = Speed
