@@ -152,7 +152,8 @@ impl Session {
                 self.pins = self.pins.take().map(|pins| pins.moved(pin, side, fraction).unwrap_or(pins));
             }
             Command::SetSurface { side, surface } | Command::RefineSurface { side, surface } => {
-                self.pins = self.pins.take().filter(|_| self.surface(side).is_some_and(|old| old.spec.is_like(&surface)));
+                self.pins =
+                    self.pins.take().filter(|_| self.surface(side).is_some_and(|old| old.spec.is_like(&surface)));
                 self.sides[side].set_surface(surface);
             }
             Command::SetHoles { side, holes } => {

@@ -115,6 +115,8 @@ pub struct MapStats {
     pub unrefined: Option<String>,
     /// The estimate of the map's errors; `None` unless both sides use the boundary integral.
     pub error_estimate: Option<ErrorBounds>,
+    /// The distance between each pin's image and its target; `None` without pins.
+    pub pin_misses: Option<Vec<f64>>,
     /// `Σ (k + 1)/m · (x_k + y_k)` over the images of the mapped side's boundary vertices.
     pub boundary_checksum: f64,
 }
@@ -297,6 +299,7 @@ fn map(model: &Model) -> MapStats {
         unresolved_area: model.unresolved_area(),
         unrefined: model.unrefined().map(Message::english),
         error_estimate: model.error_bounds(),
+        pin_misses: model.pin_misses(),
         boundary_checksum: boundary_checksum(model),
     }
 }
@@ -394,6 +397,7 @@ mod tests {
         "marked_boundary",
         "measured_generation",
         "notes",
+        "pin_misses",
         "playing",
         "plots",
         "pointed",

@@ -27,13 +27,7 @@ pub struct Dot {
 
 /// Starts dragging the dot under a pressed pointer, ends the drag on release, and updates hover state and cursor.
 /// Locked dots are not hit.
-pub fn grab_and_release(
-    ui: &Ui,
-    response: &Response,
-    side: Side,
-    places: &Places,
-    handles: &mut HandleState,
-) {
+pub fn grab_and_release(ui: &Ui, response: &Response, side: Side, places: &Places, handles: &mut HandleState) {
     let (pressed, down, pointer, now) = ui.input(|input| {
         let pointer = &input.pointer;
         (pointer.primary_pressed(), pointer.primary_down(), pointer.interact_pos(), input.time)

@@ -27,9 +27,7 @@ use crate::model::Model;
 use crate::platform::STAGES_SHOWN_AFTER;
 use crate::render::{Pace, PlanarFrame, TextureStyle};
 use crate::session::Command;
-use egui::{
-    Align2, Color32, CornerRadius, CursorIcon, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2,
-};
+use egui::{Align2, Color32, CornerRadius, CursorIcon, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2};
 
 /// Zoom per point of scrolling: one notch of a wheel (50 points) zooms by 13 %.
 pub const ZOOM_PER_POINT: f32 = 0.0025;
