@@ -368,7 +368,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 47] = [
+    const KEYS: [&str; 48] = [
         "backend",
         "boundary_checksum",
         "cauchy_green",
