@@ -5,11 +5,11 @@
 
 use crate::app::RiemapApp;
 use crate::app::language::words;
-use crate::app::panels::invariants_panel;
+use crate::app::panels::{invariants_panel, pins_panel};
 use crate::app::status::pointed;
 use crate::app::viewport::probe;
 use crate::conformal::{PerSide, Side};
-use crate::language::{Value, key, number, say, tr};
+use crate::language::{key, number, say, tr};
 use crate::model::Model;
 use crate::model::shape::Shape;
 use crate::worker::Number;
@@ -66,7 +66,7 @@ fn pins(model: &Model) -> Option<String> {
     let misses = model.pin_misses();
     let pairs = model.pins()?.pairs().iter().enumerate().map(|(pin, pair)| {
         let [from, onto] = pair.into_array().map(|fraction| number(100.0 * fraction, 1));
-        let miss = misses.as_ref().map_or(Value::from("…"), |misses| Value::number(format!("{:.1e}", misses[pin])));
+        let miss = pins_panel::missed(misses.as_ref().map(|misses| misses[pin]));
         say(&key::accessible_pin(pin + 1, from, onto, miss))
     });
     Some(pairs.collect::<Vec<_>>().join(" "))

@@ -20,7 +20,7 @@ mod loops_panel;
 pub mod method;
 pub mod offer;
 mod picture_panel;
-mod pins_panel;
+pub mod pins_panel;
 pub mod play_panel;
 pub mod shapes;
 pub mod side_panel;

@@ -15,8 +15,8 @@ const WAYS: [Segment<bool>; 2] = [
     Segment { value: true, label: key::by_pins(), tooltip: key::by_pins_tooltip() },
 ];
 
-/// The height of the list of pins, in points: more than four are scrolled.
-const LIST: f32 = 4.5 * ROW_HEIGHT;
+/// The height of the list of pins, in rows: more than five are scrolled.
+const ROWS: f32 = 5.5;
 
 /// The size of the button that removes a pin, in points.
 const CROSS: f32 = 20.0;
@@ -46,8 +46,9 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
 
 fn list(ui: &mut Ui, model: &Model, pins: &Pins, actions: &mut Actions) {
     let misses = model.pin_misses();
-    let area = ScrollArea::vertical().max_height(LIST).id_salt("pins").auto_shrink([false, true]);
-    area.show(ui, |ui| {
+    let most = ROWS * (control_height(ui, ROW_HEIGHT) + ui.spacing().item_spacing.y);
+    let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most).id_salt("pins");
+    area.auto_shrink([false, true]).show(ui, |ui| {
         for pin in 0..pins.pairs().len() {
             ui.push_id(pin, |ui| row(ui, pins, pin, misses.as_ref().map(|misses| misses[pin]), actions));
         }
@@ -59,11 +60,19 @@ fn list(ui: &mut Ui, model: &Model, pins: &Pins, actions: &mut Actions) {
     }
 }
 
+/// A miss in words; "…" while the map is computed.
+pub fn missed(miss: Option<f64>) -> Value {
+    match miss {
+        None => Value::from("…"),
+        Some(0.0) => Value::from("0"),
+        Some(miss) => Value::number(format!("{miss:.1e}")),
+    }
+}
+
 fn row(ui: &mut Ui, pins: &Pins, pin: usize, miss: Option<f64>, actions: &mut Actions) {
     ui.horizontal(|ui| {
         ui.label(RichText::new(format!("{}", pin + 1)).color(BOUNDARY_COLOUR).strong());
-        let miss = miss.map_or(Value::from("…"), |miss| Value::number(format!("{miss:.1e}")));
-        ui.label(say(&key::pin_misses_by(miss))).on_hover_text(tr(key::pin_misses_tooltip()));
+        ui.label(say(&key::pin_misses_by(missed(miss)))).on_hover_text(tr(key::pin_misses_tooltip()));
         if let Ok(fewer) = pins.without(pin) {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let name = say(&key::remove_pin(pin + 1));
