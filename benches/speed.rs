@@ -1,5 +1,5 @@
 //! Preparation and frame times on one thread, with the paper's settings and with the defaults; the integral kernel's
-//! factor and measure;
+//! factor and measure; a drag of a pin;
 //! Cauchy–Green time per term (vertex × sample) on `RAYON_NUM_THREADS` threads.
 //!
 //! `cargo bench` prints criterion's results for each preset and setting; the targets are
@@ -10,8 +10,8 @@
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use riemap::boundary_integral::{BoundaryIntegral, Settings};
 use riemap::conformal::{
-    BoundaryValues, CauchyGreen, ConformalMap, Constraints, Contour, MapSettings, PrepareSettings, PreparedSide,
-    prepare,
+    BoundaryValues, CauchyGreen, ConformalMap, Constraints, Contour, Direction, KernelMode, MapSettings, PerSide, Pins,
+    PrepareSettings, PreparedSide, Side, prepare, prepare_curve,
 };
 use riemap::geometry::DVec2;
 use riemap::mesh::Sizing;
@@ -68,6 +68,40 @@ fn frame(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// A drag of one of three pins with each kernel: the points that follow, and the map.
+fn pins(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("pins");
+    group.sample_size(20);
+    let sampling = Sampling::Adaptive { target: Some(700) };
+    for [source, target] in
+        [[Preset::Gingerbread, Preset::Heart], [Preset::VShape, Preset::Blob], [Preset::LShape, Preset::Star]]
+    {
+        for kernel in [KernelMode::Integral, KernelMode::Adjoint] {
+            let settings = PrepareSettings { sampling, kernel, ..PrepareSettings::default() };
+            let side = |preset: Preset| {
+                let curve = preset.curve().unwrap();
+                Arc::new(prepare_curve((preset.outline().polygon(), &curve), &[], &settings, &mut |_| ()).unwrap())
+            };
+            let sides = PerSide::new(side(source), side(target));
+            let at = Constraints::new((sides.source.default_point(), 0.0), (sides.target.default_point(), 0.0));
+            let settings = MapSettings::from(Direction::Forward);
+            let mut map = ConformalMap::new(sides.source.clone(), sides.target.clone(), &at, settings).unwrap();
+            let first = Pins::of(&map).unwrap();
+            let (mut near, mut step) = (at.points, 0.0);
+            group.bench_function(format!("{}-{}/{kernel:?}", source.name(), target.name()), |bencher| {
+                bencher.iter(|| {
+                    step = 2e-3 - step;
+                    let pins = first.moved(1, Side::Target, first.pairs()[1].target + step).unwrap();
+                    let found = pins.constraints(PerSide::new(&sides.source, &sides.target), Some(near)).unwrap();
+                    near = found.points;
+                    map.update(&found, settings).unwrap();
+                });
+            });
+        }
+    }
+    group.finish();
+}
+
 /// Integral kernel: panels and factor of each preset's exact curve, and the measure from another point.
 fn boundary_integral(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("boundary-integral");
@@ -113,5 +147,5 @@ fn prepared(preset: Preset, settings: PrepareSettings) -> Arc<PreparedSide> {
     Arc::new(prepare(preset.outline().polygon(), &settings, &mut |_| ()).unwrap())
 }
 
-criterion_group!(benches, preparation, frame, boundary_integral, cauchy_green);
+criterion_group!(benches, preparation, frame, pins, boundary_integral, cauchy_green);
 criterion_main!(benches);

@@ -25,7 +25,7 @@ withOneBackend('pins', (bench) => {
     bench.withApp(async (app) => {
       const before = await pinned(app);
       const [x, y] = before.handles.pins[1][1];
-      await app.drag([x, y], [x + 12, y - 12]);
+      await app.drag([x, y], [x + 12, y + 12]);
       const after = await app.atRest(
         'the pin has moved, and the map with it',
         (stats, last) => stats.ready && Math.max(...stats.pin_misses) < 1e-8 && stats.boundary_checksum !== last,
