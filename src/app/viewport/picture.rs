@@ -51,8 +51,9 @@ pub enum Seen {
 impl Pictures {
     /// Places the viewport of a side; a camera that is fitted shows the whole outline or surface.
     pub fn place(&mut self, model: &Model, side: Side, rect: Rect, pixels_per_point: f32, margins: Margins) {
+        let seen = self.uv.seen(model, side, model.extent(side));
         let view = &mut self.views[side];
-        view.place(rect, pixels_per_point, margins, model.extent(side));
+        view.place(rect, pixels_per_point, margins, seen);
         if let Some(scene) = model.surface(side).and_then(|(surface, _)| surface.scene()) {
             self.orbits[side].place(view.rect, pixels_per_point, scene);
         }
