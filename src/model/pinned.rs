@@ -114,6 +114,14 @@ impl Model {
         Some(self.pins()?.misses(self.full_map().filter(|_| !self.is_pending())?))
     }
 
+    /// Where the map carries the source's pins: fractions of the target's boundary; `None` where no pin is missed by
+    /// construction, with three of them, or while the map is computed.
+    pub fn missed_pins(&self) -> Option<Vec<f64>> {
+        let pins = self.pins().filter(|pins| pins.pairs().len() > 3)?.pairs();
+        let map = self.full_map().filter(|_| !self.is_pending())?;
+        Some(pins.iter().map(|pair| map.boundary_image(Side::Source, pair.source)).collect())
+    }
+
     /// The map of the session's sides that is shown, not the coarse one.
     fn full_map(&self) -> Option<&ConformalMap> {
         self.fine.map().or(self.shown.map.as_ref())

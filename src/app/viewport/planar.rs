@@ -242,6 +242,10 @@ pub fn paint_mesh(ui: &Ui, side: Side, view: &View, style: Option<&TextureStyle>
 pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState) {
     corners::paint(ui, side, model, view);
     let painter = ui.painter_at(view.rect);
+    pins::paint_misses(&painter, side, model, |fraction| {
+        let samples = model.domain(side)?.samples();
+        Some(view.to_screen(samples.position(samples.at_fraction(fraction))))
+    });
     for (kind, point) in points(side, model).into_iter().rev() {
         let handle = Handle { side, kind };
         let words = || dots::coordinates(handle, &point.to_array());

@@ -198,6 +198,10 @@ pub fn paint_surface(
 /// Draws the dots, over everything else in the viewport; fainter where the surface hides them.
 pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &OrbitView, handles: &HandleState) {
     let painter = ui.painter_at(view.rect);
+    pins::paint_misses(&painter, side, model, |fraction| {
+        let surface = model.surface(side)?.0.surface()?;
+        view.to_screen(surface.boundary_position(surface.at_fraction(fraction)))
+    });
     for (kind, point) in points(side, model).into_iter().rev() {
         let Some(dot) = dot(side, model, view, point) else { continue };
         let handle = Handle { side, kind };
