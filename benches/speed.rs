@@ -77,7 +77,7 @@ fn pins(criterion: &mut Criterion) {
         [[Preset::Gingerbread, Preset::Heart], [Preset::VShape, Preset::Blob], [Preset::LShape, Preset::Star]]
     {
         for kernel in [KernelMode::Integral, KernelMode::Adjoint] {
-            let settings = PrepareSettings { sampling, kernel, ..PrepareSettings::default() };
+            let settings = PrepareSettings::new(sampling, Sizing::Graded(0.1)).with_kernel(kernel);
             let side = |preset: Preset| {
                 let curve = preset.curve().unwrap();
                 Arc::new(prepare_curve((preset.outline().polygon(), &curve), &[], &settings, &mut |_| ()).unwrap())
