@@ -68,7 +68,7 @@ fn frame(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// A drag of one of three pins with each kernel: the points that follow, and the map.
+/// A drag of x₂, and of one of three pins, with each kernel: the points that follow, and the map.
 fn pins(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("pins");
     group.sample_size(20);
@@ -88,7 +88,16 @@ fn pins(criterion: &mut Criterion) {
             let mut map = ConformalMap::new(sides.source.clone(), sides.target.clone(), &at, settings).unwrap();
             let first = Pins::of(&map).unwrap();
             let (mut near, mut step) = (at.points, 0.0);
-            group.bench_function(format!("{}-{}/{kernel:?}", source.name(), target.name()), |bencher| {
+            let name = format!("{}-{}/{kernel:?}", source.name(), target.name());
+            let x = at.points.target.in_plane().unwrap();
+            group.bench_function(format!("{name}/points"), |bencher| {
+                bencher.iter(|| {
+                    step = 2e-3 - step;
+                    let moved = at.with_point(Side::Target, x + DVec2::new(step, 0.0));
+                    map.update(&moved, settings).unwrap();
+                });
+            });
+            group.bench_function(format!("{name}/pins"), |bencher| {
                 bencher.iter(|| {
                     step = 2e-3 - step;
                     let pins = first.moved(1, Side::Target, first.pairs()[1].target + step).unwrap();
