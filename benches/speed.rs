@@ -87,20 +87,21 @@ fn pins(criterion: &mut Criterion) {
             let settings = MapSettings::from(Direction::Forward);
             let mut map = ConformalMap::new(sides.source.clone(), sides.target.clone(), &at, settings).unwrap();
             let first = Pins::of(&map).unwrap();
-            let (mut near, mut step) = (at.points, 0.0);
+            let mut near = at.points;
+            // no place comes twice: the last harmonic measures are kept
+            let mut steps = (1u32..).map(|k| 2e-3 * f64::from(k).sin());
+            let mut next = || steps.next().unwrap_or_default();
             let name = format!("{}-{}/{kernel:?}", source.name(), target.name());
             let x = at.points.target.in_plane().unwrap();
             group.bench_function(format!("{name}/points"), |bencher| {
                 bencher.iter(|| {
-                    step = 2e-3 - step;
-                    let moved = at.with_point(Side::Target, x + DVec2::new(step, 0.0));
+                    let moved = at.with_point(Side::Target, x + DVec2::new(next(), 0.0));
                     map.update(&moved, settings).unwrap();
                 });
             });
             group.bench_function(format!("{name}/pins"), |bencher| {
                 bencher.iter(|| {
-                    step = 2e-3 - step;
-                    let pins = first.moved(1, Side::Target, first.pairs()[1].target + step).unwrap();
+                    let pins = first.moved(1, Side::Target, first.pairs()[1].target + next()).unwrap();
                     let found = pins.constraints(PerSide::new(&sides.source, &sides.target), Some(near)).unwrap();
                     near = found.points;
                     map.update(&found, settings).unwrap();
