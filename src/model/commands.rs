@@ -30,7 +30,7 @@ impl Model {
                 self.want_outline(side, outline, Vec::new());
             }
             Command::ReshapeOutline { side, outline, interior, anchor } => {
-                self.reshape(side, outline, Reshaped { interior, anchor, in_hand: false });
+                self.reshape(side, outline, Reshaped { interior, anchor, in_hand: false, turned: false });
             }
             Command::SetSurface { side, surface } => self.set_surface(side, surface, now),
             Command::RefineSurface { side, surface } => {
@@ -110,6 +110,7 @@ impl Model {
         if self.session.surface(side).is_some() && self.side(side).wanted().outline == outline {
             return self.close_surface(side);
         }
+        self.pinned.expect(None);
         self.sides[side].next = Next::Outline;
         self.sides[side].incoming_points = None;
         self.side_mut(side).error = None;
@@ -187,7 +188,7 @@ impl Model {
             let at = (self.equation_point(side), !self.under_way.is_moving);
             requests.extend(self.sides[side].take_request(now, shows, at).map(|request| (side, request)));
             if !self.side(side).is_busy() {
-                self.sides[side].incoming_points = None; // their domain was refused
+                self.refuse_incoming(side);
             }
         }
         requests.extend(self.take_mesh_request());
@@ -225,13 +226,20 @@ impl Model {
         match self.side_mut(side).accept(generation, response) {
             Progress::Nothing => {}
             Progress::Failed => {
-                self.sides[side].incoming_points = None;
+                self.refuse_incoming(side);
                 self.sides[side].next.take_outline();
             }
             Progress::Ready { request: OutlineRequest { spec, reshaped: Some(reshaped), .. }, .. } => {
                 self.take_reshaped(side, spec, reshaped);
             }
             Progress::Ready { request, is_new } => self.take_prepared(side, request.spec, is_new),
+        }
+    }
+
+    /// Drops the points of a session whose outline was refused, and its pins.
+    fn refuse_incoming(&mut self, side: Side) {
+        if self.sides[side].incoming_points.take().is_some() {
+            self.pinned.expect(None);
         }
     }
 
@@ -284,9 +292,9 @@ impl Model {
 
     /// Applies a prepared reshaped outline. The view does not change, nor do the settings while the outline is dragged.
     fn take_reshaped(&mut self, side: Side, spec: DomainSpec, reshaped: Reshaped) {
-        let Reshaped { interior, anchor, in_hand } = reshaped;
+        let Reshaped { interior, anchor, in_hand, turned } = reshaped;
         let interior = interior.and_then(|point| self.pushed_inside(side, point));
-        self.carry_pins(side, &spec.outline, anchor);
+        self.carry_pins(side, &spec.outline, turned);
         self.session.apply(Command::ReshapeOutline { side, outline: spec.outline, interior, anchor });
         if !in_hand {
             self.session.apply(Command::SetSettings { side, settings: spec.settings });
@@ -321,6 +329,7 @@ impl Model {
             return;
         }
         self.session.apply(Command::Swap);
+        self.pinned.swap();
         ModelSide::swap(&mut self.sides);
         for side in Side::BOTH {
             self.sides[side].refit = true;

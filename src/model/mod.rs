@@ -195,6 +195,7 @@ impl Model {
         let mut twin = Self::new(self.session.clone().and(Side::BOTH.map(Command::CloseSurface)));
         twin.sides = self.sides.as_ref().map(ModelSide::twin);
         twin.session.apply(Command::Open(Box::new(self.session.clone())));
+        twin.pinned = self.pinned.twin();
         twin.changed.sides = true;
         twin.fine = self.fine.twin();
         twin

@@ -5,14 +5,11 @@
 
 use crate::conformal::{ConformalMap, InteriorPoint, PerSide, PinError, Pins, PreparedSide, Side};
 use crate::drawing::carried_fraction;
-use crate::language::Message;
+use crate::language::{Message, key};
 use crate::model::Model;
 use crate::model::side::Next;
 use crate::session::{Command, OutlineSpec, SidePoints, Touched};
 use std::sync::{Arc, Weak};
-
-/// Shares of a boundary's length that differ by less are one place of an outline that was not turned over.
-const SAME_PLACE: f64 = 1e-6;
 
 /// What is known of the pins beside the session.
 #[derive(Debug, Default)]
@@ -21,10 +18,23 @@ pub(super) struct Pinned {
     incoming: Option<Pins>,
     /// The pins of the last map that was computed without error.
     last_good: Option<Pins>,
-    /// What the session's points were computed from.
-    followed: Option<(Pins, PerSide<Weak<PreparedSide>>)>,
+    followed: Option<Followed>,
     /// Why the last ones determine no map.
     error: Option<(Side, Message)>,
+}
+
+/// Points that were computed from pins.
+#[derive(Debug, Clone)]
+struct Followed {
+    pins: Pins,
+    sides: PerSide<Weak<PreparedSide>>,
+    points: PerSide<SidePoints>,
+}
+
+impl Followed {
+    fn is_on(&self, sides: PerSide<&Arc<PreparedSide>>) -> bool {
+        Side::BOTH.into_iter().all(|side| self.sides[side].as_ptr() == Arc::as_ptr(sides[side]))
+    }
 }
 
 impl Pinned {
@@ -33,10 +43,26 @@ impl Pinned {
         Self { incoming: pins, ..Self::default() }
     }
 
-    /// Sets the pins of a session whose shapes are still to be prepared.
+    /// The state of a copy of a model with these prepared sides and points.
+    #[must_use]
+    pub fn twin(&self) -> Self {
+        Self { followed: self.followed.clone(), last_good: self.last_good.clone(), ..Self::default() }
+    }
+
+    /// Sets the pins of a session whose shapes are still to be prepared; `None` also where other shapes come.
     pub fn expect(&mut self, pins: Option<Pins>) {
-        self.incoming = pins;
-        self.error = None;
+        *self = Self::coming(pins);
+    }
+
+    /// Follows an exchange of the sides.
+    pub fn swap(&mut self) {
+        let exchanged = |pins: &Option<Pins>| pins.as_ref().map(Pins::exchanged);
+        *self = Self {
+            incoming: exchanged(&self.incoming),
+            last_good: exchanged(&self.last_good),
+            followed: None,
+            error: self.error.take(),
+        };
     }
 
     /// The pins of a session whose shapes are still being prepared.
@@ -69,12 +95,6 @@ impl Pinned {
     fn refuse(&mut self, error: &PinError, beside: Side) {
         self.error = Some((error.side().unwrap_or(beside), Message::from(error)));
     }
-
-    fn has_followed(&self, pins: &Pins, sides: PerSide<&Arc<PreparedSide>>) -> bool {
-        self.followed.as_ref().is_some_and(|(known, of)| {
-            known == pins && Side::BOTH.into_iter().all(|side| of[side].as_ptr() == Arc::as_ptr(sides[side]))
-        })
-    }
 }
 
 impl Model {
@@ -83,7 +103,7 @@ impl Model {
         self.session.pins()
     }
 
-    /// Three boundary pairs of the present map, or why there are none.
+    /// Three boundary pairs of the present map, or why there are none; `None` while it is computed.
     pub fn first_pins(&self) -> Option<Result<Pins, PinError>> {
         self.full_map().map(Pins::of)
     }
@@ -111,32 +131,33 @@ impl Model {
     /// The distance between each pin's image and its target, in the target's units; `None` without pins or while the map
     /// is computed.
     pub fn pin_misses(&self) -> Option<Vec<f64>> {
-        Some(self.pins()?.misses(self.full_map().filter(|_| !self.is_pending())?))
+        Some(self.pins()?.misses(self.full_map()?))
     }
 
     /// Where the map carries the source's pins: fractions of the target's boundary; `None` where no pin is missed by
     /// construction, with three of them, or while the map is computed.
     pub fn missed_pins(&self) -> Option<Vec<f64>> {
         let pins = self.pins().filter(|pins| pins.pairs().len() > 3)?.pairs();
-        let map = self.full_map().filter(|_| !self.is_pending())?;
+        let map = self.full_map()?;
         Some(pins.iter().map(|pair| map.boundary_image(Side::Source, pair.source)).collect())
     }
 
-    /// The map of the session's sides that is shown, not the coarse one.
+    /// The map of the session's sides that is shown, not the coarse one; `None` while it is computed.
     fn full_map(&self) -> Option<&ConformalMap> {
-        self.fine.map().or(self.shown.map.as_ref())
+        self.fine.map().or(self.shown.map.as_ref()).filter(|_| !self.is_pending())
     }
 
     /// Lets pins determine the map, or the points again.
     pub(super) fn set_pins(&mut self, pins: Option<Pins>) {
-        self.pinned.expect(None);
+        self.pinned.error = None;
         self.session.apply(Command::SetPins(pins));
         self.changed.points = true;
     }
 
     /// Moves a pin; out of order it stays, and the reason is said.
     pub(super) fn move_pin(&mut self, pin: usize, side: Side, fraction: f64) -> Touched {
-        match self.session.pins().map(|pins| pins.moved(pin, side, fraction)) {
+        let pins = self.session.pins().filter(|pins| pin < pins.pairs().len());
+        match pins.map(|pins| pins.moved(pin, side, fraction)) {
             Some(Ok(pins)) => {
                 self.set_pins(Some(pins));
                 Touched::POINTS
@@ -149,20 +170,22 @@ impl Model {
         }
     }
 
-    /// Carries a side's pins along to a reshaped outline with this boundary point. One that was turned over has none:
-    /// its pins would run the other way.
-    pub(super) fn carry_pins(&mut self, side: Side, outline: &OutlineSpec, anchor: f64) {
+    /// Carries a side's pins along to a reshaped outline. One that was turned over has none: they would run the other way
+    /// around, which is said.
+    pub(super) fn carry_pins(&mut self, side: Side, outline: &OutlineSpec, is_turned: bool) {
         let Some(pins) = self.session.pins() else { return };
+        if is_turned {
+            self.session.apply(Command::SetPins(None));
+            self.pinned.error = Some((side, key::pins_turned().into()));
+            return;
+        }
         let (old, new) = (self.session.domain(side).outline.polygon(), outline.polygon());
-        let carried = |fraction: f64| carried_fraction(old.vertices(), new.vertices(), fraction);
-        let off = (carried(self.session.side(side).anchor()) - anchor).rem_euclid(1.0);
-        let is_turned = off.min(1.0 - off) > SAME_PLACE;
         let moved = pins.pairs().iter().map(|&(mut pair)| {
-            pair[side] = carried(pair[side]);
+            pair[side] = carried_fraction(old.vertices(), new.vertices(), pair[side]);
             pair
         });
-        let pins = if is_turned { None } else { Pins::new(moved).ok() };
-        self.session.apply(Command::SetPins(pins));
+        let carried = Pins::new(moved).inspect_err(|error| self.pinned.error = Some((side, error.into())));
+        self.session.apply(Command::SetPins(carried.ok()));
     }
 
     /// Takes the pins of an opened session as soon as its shapes are there; returns whether they came now.
@@ -179,28 +202,32 @@ impl Model {
         true
     }
 
-    /// Places the points that follow from the pins. Pins that determine no map are replaced by the last good ones, or
-    /// dropped if these are not better.
+    /// Places the points that follow from the pins. Pins that determine no map are replaced by those of the present
+    /// points, or dropped if there are none.
     pub(super) fn follow_pins(&mut self) {
         let sides = PerSide::from_fn(|side| self.prepared(side).cloned()).both();
         let (Some(pins), Some(sides)) = (self.session.pins().cloned(), sides) else { return };
-        if self.pinned.has_followed(&pins, sides.as_ref()) {
+        let present = PerSide::from_fn(|side| self.session.side(side).points());
+        let followed = self.pinned.followed.as_ref().filter(|known| known.points == present);
+        let followed = followed.filter(|known| known.is_on(sides.as_ref()));
+        if followed.is_some_and(|known| known.pins == pins) {
             return;
         }
         let near = PerSide::from_fn(|side| self.point(side)).both();
         match pins.constraints(sides.as_ref().map(Arc::as_ref), near) {
             Ok(constraints) => {
-                for side in Side::BOTH {
-                    let points = side_points(constraints.points[side], constraints.anchors[side]);
-                    self.session.apply(Command::PlacePoints { side, points });
+                let points = PerSide::from_fn(|side| side_points(constraints.points[side], constraints.anchors[side]));
+                for (side, points) in points.iter() {
+                    self.session.apply(Command::PlacePoints { side, points: *points });
                 }
+                let points = PerSide::from_fn(|side| self.session.side(side).points()); // anchors modulo 1
                 self.pinned.error = None;
-                self.pinned.followed = Some((pins, sides.as_ref().map(Arc::downgrade)));
+                self.pinned.followed = Some(Followed { pins, sides: sides.as_ref().map(Arc::downgrade), points });
             }
             Err(error) => {
+                let present = followed.map(|known| known.pins.clone());
                 self.pinned.refuse(&error, Side::Target);
-                let better = self.pinned.last_good.take().filter(|good| *good != pins);
-                self.session.apply(Command::SetPins(better));
+                self.session.apply(Command::SetPins(present));
             }
         }
     }

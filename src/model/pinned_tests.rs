@@ -1,6 +1,7 @@
 //! Pins in the model: the points follow, the map stays or changes with them, and errors are said.
 
 use crate::conformal::{KernelMode, Pins, PrepareSettings, Side};
+use crate::model::editing::{Change, Reshaping};
 use crate::model::surface_tests::{planar, settle, spec};
 use crate::model::*;
 use crate::outline::{Preset, Sampling};
@@ -153,4 +154,54 @@ fn pins_hold_a_surface_at_three_corners() {
     let misses = model.pin_misses().unwrap();
     assert!(misses.iter().all(|miss| *miss < 1e-6), "{misses:?}");
     assert_eq!(model.map_error(), None);
+}
+
+#[test]
+fn a_copy_of_the_model_has_the_same_points_to_the_last_bit() {
+    let mut model = model(KernelMode::Adjoint);
+    pin(&mut model);
+    let four = model.pins_with(Side::Target, 0.111).unwrap();
+    model.dispatch(Command::SetPins(Some(four)), 0.0);
+    rest(&mut model);
+    let mut twin = model.twin();
+    twin.update_ms = f64::INFINITY;
+    twin.refresh(false);
+    assert_eq!(twin.session(), model.session());
+}
+
+/// Also when the next pins are refused before the map of the ones before is there.
+#[test]
+fn refused_pins_leave_those_of_the_present_points() {
+    let mut model = model(KernelMode::Adjoint);
+    pin(&mut model);
+    model.dispatch(Command::MovePin { pin: 1, side: Side::Target, fraction: 0.5 }, 0.0);
+    model.refresh(true);
+    let present = model.session().clone();
+    // no vertex of the mesh sees the first two pins apart
+    let first = model.pins().unwrap().pairs()[0].source;
+    let close = first + 1e-11;
+    for _ in 0..3 {
+        model.dispatch(Command::MovePin { pin: 1, side: Side::Source, fraction: close }, 0.0);
+        model.refresh(true);
+        if model.map_error().is_some() {
+            assert_eq!(model.session(), &present);
+        }
+    }
+    assert!(model.pins().is_some());
+}
+
+#[test]
+fn a_reshaped_outline_carries_its_pins_and_a_mirrored_one_lets_them_go() {
+    let mut model = model(KernelMode::Adjoint);
+    pin(&mut model);
+    let before = model.pins().unwrap().clone();
+    let mut reshaping = Reshaping::new(Side::Source, &model);
+    reshaping.change(Change::Smooth, &mut model).unwrap();
+    rest(&mut model);
+    let carried = model.pins().unwrap();
+    assert_eq!(carried.pairs()[0].target, before.pairs()[0].target);
+    assert!(model.pin_misses().unwrap().iter().all(|miss| *miss < 1e-3), "{:?}", model.pin_misses());
+    reshaping.change(Change::Mirror, &mut model).unwrap();
+    rest(&mut model);
+    assert_eq!(model.pins(), None);
 }

@@ -31,6 +31,9 @@ impl Model {
                 Some(reshaped) => (reshaped.interior, reshaped.anchor),
                 None => (None, outline.first_anchor()),
             };
+            if preparation.wanted_points().is_none() && self.session.surface(side).is_none() {
+                commands.push(Command::SetPins(None));
+            }
             commands.push(Command::ReshapeOutline { side, outline, interior, anchor });
         }
         commands.extend(incoming_points.map(|points: SidePoints| Command::PlacePoints { side, points }));

@@ -150,6 +150,7 @@ impl Model {
             }
         };
         self.changed.points |= is_set;
+        self.session.apply(Command::SetPins(None)); // they led to the point that was rejected
         self.session.apply(Command::PlacePoints { side, points });
     }
 

@@ -27,7 +27,7 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
         return;
     }
     explained_heading(ui, tr(key::which_map()), key::explain_which_map());
-    let first = model.first_pins();
+    let first = if model.pins().is_none() { model.first_pins() } else { None };
     let refused = |by_pins: bool| match &first {
         Some(Err(error)) if by_pins => Some(say(&Message::from(error))),
         _ => None,
@@ -55,7 +55,8 @@ fn list(ui: &mut Ui, model: &Model, pins: &Pins, actions: &mut Actions) {
     });
     let one_more = model.pins_with_one_more();
     let button = ui.add_enabled(one_more.is_some(), Button::new(tr(key::add_pin())));
-    if button.on_hover_text(tr(key::add_pin_tooltip())).clicked() {
+    let button = button.on_hover_text(tr(key::add_pin_tooltip())).on_disabled_hover_text(tr(key::no_more_pins()));
+    if button.clicked() {
         actions.extend(one_more.map(|pins| Action::Session(Command::SetPins(Some(pins)))));
     }
 }

@@ -115,7 +115,7 @@ pub struct MapStats {
     pub unrefined: Option<String>,
     /// The estimate of the map's errors; `None` unless both sides use the boundary integral.
     pub error_estimate: Option<ErrorBounds>,
-    /// The distance between each pin's image and its target; `None` without pins.
+    /// The distance between each pin's image and its target; `None` without pins, and while the map is computed.
     pub pin_misses: Option<Vec<f64>>,
     /// `Σ (k + 1)/m · (x_k + y_k)` over the images of the mapped side's boundary vertices.
     pub boundary_checksum: f64,

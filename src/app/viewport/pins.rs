@@ -43,13 +43,13 @@ pub fn add(
     boundary: Option<f64>,
     actions: &mut Actions,
 ) -> bool {
-    let (Some(fraction), Some(_)) = (boundary, model.pins()) else { return false };
+    let is_locked = Locks::of(ui.ctx()).holds_handle(HandleKind::Pin(0));
+    let (Some(fraction), Some(_), false) = (boundary, model.pins(), is_locked) else { return false };
     ui.set_cursor_icon(CursorIcon::Copy);
     if response.double_clicked()
         && let Some(pins) = model.pins_with(side, fraction)
     {
-        let action = Action::Session(Command::SetPins(Some(pins)));
-        actions.extend(Some(action).filter(|action| Locks::of(ui.ctx()).refused(action).is_none()));
+        actions.push(Action::Session(Command::SetPins(Some(pins))));
     }
     true
 }

@@ -73,16 +73,16 @@ impl<'a> Wanted<'a> {
 
     /// The point of the plane near `x`; `None` if none was found.
     pub fn in_plane(&self, x: DVec2) -> Result<Option<Found<'a>>, MapError> {
-        self.from_try(x, self.try_at(x.into())?)
+        self.newton(x, self.try_at(x.into())?)
     }
 
     /// As [`Self::in_plane`]; `None` also if the measures seen from `x` differ by more than `most`.
     pub fn nearby(&self, x: DVec2, most: f64) -> Result<Option<Found<'a>>, MapError> {
         let first = self.try_at(x.into())?;
-        if size(first.off) <= most { self.from_try(x, first) } else { Ok(None) }
+        if size(first.off) <= most { self.newton(x, first) } else { Ok(None) }
     }
 
-    fn from_try(&self, mut x: DVec2, mut best: Try<'a>) -> Result<Option<Found<'a>>, MapError> {
+    fn newton(&self, mut x: DVec2, mut best: Try<'a>) -> Result<Option<Found<'a>>, MapError> {
         let mut derivative = None;
         for _ in 0..STEPS {
             if size(best.off) <= ROUNDING {

@@ -371,6 +371,7 @@ map_negative_kernel = { $edges ->
 }
 walk_start_outside = der Anfang ({ $x }; { $y }) der Irrfahrten liegt nicht im abgetasteten Umriss
 walk_no_boundary = nötig ist ein Rand aus mindestens 3 endlichen Punkten, keine zwei Nachbarn gleich
+pins_turned = der Umriss wurde gespiegelt, und die Pins liefen anders herum: die Punkte bestimmen die Abbildung
 pin_count = { $count } Randpaare sind gegeben: drei bis { $most } bestimmen eine Abbildung
 pin_not_finite = Pin { $pin } hat keinen Ort auf dem Rand ({ $side })
 pins_coincide = die Pins { $first } und { $second } liegen an derselben Stelle des Randes ({ $side }): jeder braucht eine eigene

@@ -371,6 +371,7 @@ map_negative_kernel = { $edges ->
 }
 walk_start_outside = the start ({ $x }, { $y }) of the random walks is not inside the outline as it is sampled
 walk_no_boundary = a boundary of finite points is needed, at least 3 of them, no two neighbours equal
+pins_turned = the outline was turned over, and the pins would run the other way around: the points determine the map
 pin_count = { $count } boundary pairs are given: from three to { $most } determine a map
 pin_not_finite = pin { $pin } has no place on the { $side }'s boundary
 pins_coincide = pins { $first } and { $second } are one place of the { $side }'s boundary: each needs its own

@@ -92,7 +92,7 @@ keys_of_labels! {
     paste_kinds, paste_outline_source, paste_outline_target, use_pasted,
     // pins
     which_map, explain_which_map, by_points, by_points_tooltip, by_pins, by_pins_tooltip, add_pin, add_pin_tooltip,
-    pin_misses_tooltip, pins_in_legend, explain_pin,
+    pin_misses_tooltip, pins_in_legend, explain_pin, no_more_pins, pins_do_not_play,
     // play panel
     speed, all, x1_tooltip, x2_tooltip, y1_tooltip, all_tooltip, no_plane, play_tooltip, stop_here, play,
     // plots

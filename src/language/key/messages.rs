@@ -30,7 +30,7 @@ keys_of_labels! {
     unsupported_encoding, unsupported_binary_off, unsupported_strips, fault_no_glb, fault_node_twice, fault_no_ply,
     fault_list_length_type,
     // conformal
-    map_on_boundary, map_loop_anchor_not_finite, walk_no_boundary, integral_of_surface, stays_no_curve, equation_travels_apart, integral_no_curve, integral_apart,
+    pins_turned, map_on_boundary, map_loop_anchor_not_finite, walk_no_boundary, integral_of_surface, stays_no_curve, equation_travels_apart, integral_no_curve, integral_apart,
     integral_not_resolved, integral_singular,
     // rational
     formula_cancelled,

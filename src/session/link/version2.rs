@@ -117,6 +117,10 @@ impl Version2 {
                 unknown => return Err(LinkError::Unknown { what: Choice::Setting, name: unknown.to_string() }),
             }
         }
+        if !decoded.missing.is_empty() {
+            // not on a disk that stands in for an outline; the points give the map
+            decoded.session.pins = None;
+        }
         Ok(decoded)
     }
 
