@@ -1,5 +1,5 @@
 //! Preparation and frame times on one thread, with the paper's settings and with the defaults; the integral kernel's
-//! factor and measure;
+//! factor and measure; a drag of a pin;
 //! Cauchy–Green time per term (vertex × sample) on `RAYON_NUM_THREADS` threads.
 //!
 //! `cargo bench` prints criterion's results for each preset and setting; the targets are
@@ -10,8 +10,8 @@
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use riemap::boundary_integral::{BoundaryIntegral, Settings};
 use riemap::conformal::{
-    BoundaryValues, CauchyGreen, ConformalMap, Constraints, Contour, MapSettings, PrepareSettings, PreparedSide,
-    prepare,
+    BoundaryValues, CauchyGreen, ConformalMap, Constraints, Contour, Direction, KernelMode, MapSettings, PerSide, Pins,
+    PrepareSettings, PreparedSide, Side, prepare, prepare_curve,
 };
 use riemap::geometry::DVec2;
 use riemap::mesh::Sizing;
@@ -68,6 +68,50 @@ fn frame(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// A drag of x₂, and of one of three pins, with each kernel: the points that follow, and the map.
+fn pins(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("pins");
+    group.sample_size(20);
+    let sampling = Sampling::Adaptive { target: Some(700) };
+    for [source, target] in
+        [[Preset::Gingerbread, Preset::Heart], [Preset::VShape, Preset::Blob], [Preset::LShape, Preset::Star]]
+    {
+        for kernel in [KernelMode::Integral, KernelMode::Adjoint] {
+            let settings = PrepareSettings::new(sampling, Sizing::Graded(0.1)).with_kernel(kernel);
+            let side = |preset: Preset| {
+                let curve = preset.curve().unwrap();
+                Arc::new(prepare_curve((preset.outline().polygon(), &curve), &[], &settings, &mut |_| ()).unwrap())
+            };
+            let sides = PerSide::new(side(source), side(target));
+            let at = Constraints::new((sides.source.default_point(), 0.0), (sides.target.default_point(), 0.0));
+            let settings = MapSettings::from(Direction::Forward);
+            let mut map = ConformalMap::new(sides.source.clone(), sides.target.clone(), &at, settings).unwrap();
+            let first = Pins::of(&map).unwrap();
+            let mut near = at.points;
+            // no place comes twice: the last harmonic measures are kept
+            let mut steps = (1u32..).map(|k| 2e-3 * f64::from(k).sin());
+            let mut next = || steps.next().unwrap_or_default();
+            let name = format!("{}-{}/{kernel:?}", source.name(), target.name());
+            let x = at.points.target.in_plane().unwrap();
+            group.bench_function(format!("{name}/points"), |bencher| {
+                bencher.iter(|| {
+                    let moved = at.with_point(Side::Target, x + DVec2::new(next(), 0.0));
+                    map.update(&moved, settings).unwrap();
+                });
+            });
+            group.bench_function(format!("{name}/pins"), |bencher| {
+                bencher.iter(|| {
+                    let pins = first.moved(1, Side::Target, first.pairs()[1].target + next()).unwrap();
+                    let found = pins.constraints(PerSide::new(&sides.source, &sides.target), Some(near)).unwrap();
+                    near = found.points;
+                    map.update(&found, settings).unwrap();
+                });
+            });
+        }
+    }
+    group.finish();
+}
+
 /// Integral kernel: panels and factor of each preset's exact curve, and the measure from another point.
 fn boundary_integral(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("boundary-integral");
@@ -113,5 +157,5 @@ fn prepared(preset: Preset, settings: PrepareSettings) -> Arc<PreparedSide> {
     Arc::new(prepare(preset.outline().polygon(), &settings, &mut |_| ()).unwrap())
 }
 
-criterion_group!(benches, preparation, frame, boundary_integral, cauchy_green);
+criterion_group!(benches, preparation, frame, pins, boundary_integral, cauchy_green);
 criterion_main!(benches);

@@ -53,13 +53,7 @@ fn largest(misses: Vec<f64>) -> f64 {
 
 /// The fraction of the target's boundary onto which a fraction of the source's is mapped.
 fn image(map: &ConformalMap, s: f64) -> f64 {
-    let [source, target] = Side::BOTH.map(|side| map.side(side));
-    let Some(curves) = map.curve_map(Side::Source) else {
-        let omega = map.measure(Side::Source).at(source.at_fraction(s));
-        return target.fraction_at(map.measure(Side::Target).point_at(omega));
-    };
-    let [from, onto] = [source, target].map(|side| side.curve_boundary().unwrap());
-    onto.fraction(curves.image(from.at_fraction(s)))
+    map.boundary_image(Side::Source, s)
 }
 
 #[test]

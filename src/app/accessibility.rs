@@ -5,7 +5,7 @@
 
 use crate::app::RiemapApp;
 use crate::app::language::words;
-use crate::app::panels::invariants_panel;
+use crate::app::panels::{invariants_panel, pins_panel};
 use crate::app::status::pointed;
 use crate::app::viewport::probe;
 use crate::conformal::{PerSide, Side};
@@ -20,6 +20,7 @@ pub fn state(app: &RiemapApp) -> String {
     let model = &app.model;
     let mut sentences = vec![shown(model)];
     sentences.extend(Side::BOTH.into_iter().filter_map(|side| points(model, side)));
+    sentences.extend(pins(model));
     if let Some(quality) = model.quality() {
         let mean = number(quality.q_mean, 3);
         sentences.push(say(&key::accessible_quality(mean, quality.flipped)));
@@ -58,6 +59,17 @@ fn points(model: &Model, side: Side) -> Option<String> {
     let place = place.iter().map(|coordinate| number(*coordinate, 3)).collect::<Vec<_>>().join("; ");
     let along = number(100.0 * fraction, 1);
     Some(say(&key::points_of_side(x, place, y, along)))
+}
+
+/// The pins and how far the map misses them.
+fn pins(model: &Model) -> Option<String> {
+    let misses = model.pin_misses();
+    let pairs = model.pins()?.pairs().iter().enumerate().map(|(pin, pair)| {
+        let [from, onto] = pair.into_array().map(|fraction| number(100.0 * fraction, 1));
+        let miss = pins_panel::missed(misses.as_ref().map(|misses| misses[pin]));
+        say(&key::accessible_pin(pin + 1, from, onto, miss))
+    });
+    Some(pairs.collect::<Vec<_>>().join(" "))
 }
 
 /// The invariants of a side that are shown.

@@ -8,8 +8,9 @@ use crate::app::input::preferences::{Habit, Preferences};
 use crate::app::input::presentation;
 use crate::app::windows::explore::Consequences;
 use crate::conformal::Side;
-use crate::language::tr;
+use crate::language::{key, tr};
 use crate::model::files::{FilePurpose, kind_of_file};
+use crate::model::motion::PlayAction;
 use crate::model::overlays::walks::WalkAction;
 use crate::platform;
 use crate::session::{Command, Session, Touched};
@@ -71,6 +72,9 @@ impl RiemapApp {
             Action::CloseReport => self.windows.reports.close(),
             Action::DismissMessage => self.dismiss_message(),
             Action::Export(action) => self.export(action, context),
+            Action::Play(PlayAction::Toggle) if self.model.pins().is_some() && !self.player.is_playing() => {
+                self.messages.common = Some(key::pins_do_not_play().into());
+            }
             Action::Play(action) => self.player.act(action, &self.model),
             Action::Walks(action) => self.model.act_on_walks(action),
             Action::Invariants(action) => self.model.act_on_invariants(action),

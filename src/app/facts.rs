@@ -1,6 +1,7 @@
 //! The app's state as data: the numbers on the screen, errors and notes, positions of the dots.
 
 use super::{RiemapApp, editing};
+use crate::app::input::handles::HandleKind;
 use crate::app::overlays;
 use crate::app::status::stats::{
     FormulaStats, HandlePositions, PlotStats, ScreenStats, ShareStats, Stats, WindowStats,
@@ -59,13 +60,21 @@ impl RiemapApp {
 
     fn handle_positions(&self) -> HandlePositions {
         let ([x1, y1], [x2, y2]) = (self.places_of_dots(Side::Source), self.places_of_dots(Side::Target));
-        HandlePositions { x1, x2, y1, y2 }
+        let pins = Side::BOTH.map(|side| self.places_of_pins(side));
+        HandlePositions { x1, x2, y1, y2, pins }
     }
 
     /// The positions of a side's interior point and boundary point.
     fn places_of_dots(&self, side: Side) -> [Option<[f32; 2]>; 2] {
         let places = self.pictures.of(&self.model, side).places_of_dots(&self.model, side);
         places.map(|place| place.map(|place| self.css_pixels(place)))
+    }
+
+    /// The positions of a side's pins; none where the points determine the map.
+    fn places_of_pins(&self, side: Side) -> Vec<[f32; 2]> {
+        let places = self.pictures.of(&self.model, side).places(&self.model, side);
+        let pins = places.into_iter().filter(|(kind, _)| matches!(kind, HandleKind::Pin(_)));
+        pins.map(|(_, place)| self.css_pixels(place)).collect()
     }
 
     /// A position on the screen in the page's CSS pixels.

@@ -12,6 +12,7 @@ use crate::app::viewport::gpu::Gpu;
 use crate::app::viewport::picture::Seen;
 use crate::conformal::Side;
 use crate::language::key;
+use crate::model::motion::PlayAction;
 use crate::model::{Changes, Refines};
 use crate::platform;
 use crate::worker::Study;
@@ -120,6 +121,9 @@ impl RiemapApp {
         let is_held = self.input.handles.grip.is_some();
         if is_held {
             self.player.pause();
+        }
+        if self.model.pins().is_some() && self.player.is_playing() {
+            self.player.act(PlayAction::Toggle, &self.model); // the points follow the pins from now on
         }
         let holds = context.input(|input| input.pointer.any_down());
         if let Some(delay) = self.windows.explore.conduct(&mut self.player, &self.model, holds, now) {

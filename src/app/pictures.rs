@@ -140,7 +140,7 @@ fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
         && app.model.shown().is_some()
         && app.editor.side().is_none()
     {
-        planar::paint_hint(ui, view.rect, picture.places_of_dots(&app.model, side));
+        planar::paint_hint(ui, view.rect, &picture.places(&app.model, side));
     }
 }
 

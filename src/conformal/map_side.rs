@@ -144,15 +144,15 @@ impl MapSide {
                 return Ok(false);
             }
         }
-        if let (Some(_), Some(integral), InteriorPoint::Plane(x)) =
-            (change.located, self.prepared.boundary_integral(), constraints.points[side])
+        if let (Some(_), Some(equation), InteriorPoint::Plane(x)) =
+            (change.located, self.prepared.equation(), constraints.points[side])
         {
-            let swept = integral.harmonic_measure(x);
+            let swept = equation.harmonic_measure(x);
             let swept = swept.map_err(|error| match error {
                 BoundaryIntegralError::NotInside { at } => MapError::PointOutside { side, x: at.x, y: at.y },
                 error => MapError::BoundaryIntegral { side, error },
             })?;
-            self.measured.coming_swept = Some(Arc::new(swept));
+            self.measured.coming_swept = Some(swept);
         }
         if change.renewal().measure {
             self.measured.set_measure(&self.prepared, constraints.anchors[side], change.renewal());

@@ -22,12 +22,15 @@ impl Model {
     /// session that it touches, now or then; [`Touched::NOTHING`] if the command needs a surface and there is none.
     pub fn dispatch(&mut self, command: Command, now: f64) -> Touched {
         let touched = command.touches();
+        if touched.touches(Touched::NEW_SHAPE) {
+            self.pinned.expect(None);
+        }
         match command {
             Command::SetOutline { side, outline } => {
                 self.want_outline(side, outline, Vec::new());
             }
             Command::ReshapeOutline { side, outline, interior, anchor } => {
-                self.reshape(side, outline, Reshaped { interior, anchor, in_hand: false });
+                self.reshape(side, outline, Reshaped { interior, anchor, in_hand: false, turned: false });
             }
             Command::SetSurface { side, surface } => self.set_surface(side, surface, now),
             Command::RefineSurface { side, surface } => {
@@ -40,10 +43,16 @@ impl Model {
             Command::SetSettings { side, settings } => self.side_mut(side).want_settings(settings, now),
             Command::Swap => self.swap(),
             Command::Open(session) => self.open(&session),
-            Command::MoveInterior { .. }
-            | Command::MoveAnchor { .. }
-            | Command::PlacePoints { .. }
-            | Command::SetDirection(_)
+            Command::SetPins(pins) => self.set_pins(pins),
+            Command::MovePin { pin, side, fraction } => return self.move_pin(pin, side, fraction),
+            Command::MoveInterior { .. } | Command::MoveAnchor { .. } | Command::PlacePoints { .. } => {
+                let touched = self.session.apply(command);
+                if touched != Touched::NOTHING {
+                    self.set_pins(None); // the points determine the map again
+                }
+                return touched;
+            }
+            Command::SetDirection(_)
             | Command::SetExtension(_)
             | Command::SetTexture(_)
             | Command::SetTextureSide(_)
@@ -83,6 +92,7 @@ impl Model {
             }
             self.open_surface(side, session.surface(side).cloned());
         }
+        self.pinned.expect(session.pins().cloned());
         self.map_error = None;
         self.changed.points = true;
     }
@@ -100,6 +110,7 @@ impl Model {
         if self.session.surface(side).is_some() && self.side(side).wanted().outline == outline {
             return self.close_surface(side);
         }
+        self.pinned.expect(None);
         self.sides[side].next = Next::Outline;
         self.sides[side].incoming_points = None;
         self.side_mut(side).error = None;
@@ -164,6 +175,7 @@ impl Model {
         self.sides[side].surface.preparation.dismiss();
         self.side_mut(side).error = None;
         self.map_error = self.map_error.take().filter(|(at, _)| *at != side);
+        self.pinned.dismiss(side);
     }
 
     /// The requests that are due, at most one for each side; those for the sharpened and the refined map come last.
@@ -176,7 +188,7 @@ impl Model {
             let at = (self.equation_point(side), !self.under_way.is_moving);
             requests.extend(self.sides[side].take_request(now, shows, at).map(|request| (side, request)));
             if !self.side(side).is_busy() {
-                self.sides[side].incoming_points = None; // their domain was refused
+                self.refuse_incoming(side);
             }
         }
         requests.extend(self.take_mesh_request());
@@ -214,13 +226,20 @@ impl Model {
         match self.side_mut(side).accept(generation, response) {
             Progress::Nothing => {}
             Progress::Failed => {
-                self.sides[side].incoming_points = None;
+                self.refuse_incoming(side);
                 self.sides[side].next.take_outline();
             }
             Progress::Ready { request: OutlineRequest { spec, reshaped: Some(reshaped), .. }, .. } => {
                 self.take_reshaped(side, spec, reshaped);
             }
             Progress::Ready { request, is_new } => self.take_prepared(side, request.spec, is_new),
+        }
+    }
+
+    /// Drops the points of a session whose outline was refused, and its pins.
+    fn refuse_incoming(&mut self, side: Side) {
+        if self.sides[side].incoming_points.take().is_some() {
+            self.pinned.expect(None);
         }
     }
 
@@ -253,6 +272,9 @@ impl Model {
         if is_new && spec.outline != self.session.domain(side).outline {
             // a surface that was opened with the outline, or before it, stays
             let (anchor, outline) = (spec.outline.first_anchor(), spec.outline);
+            if self.sides[side].incoming_points.is_none() && self.session.surface(side).is_none() {
+                self.session.apply(Command::SetPins(None));
+            }
             self.session.apply(Command::ReshapeOutline { side, outline, interior: None, anchor });
         }
         if self.sides[side].next.take_outline() {
@@ -270,8 +292,9 @@ impl Model {
 
     /// Applies a prepared reshaped outline. The view does not change, nor do the settings while the outline is dragged.
     fn take_reshaped(&mut self, side: Side, spec: DomainSpec, reshaped: Reshaped) {
-        let Reshaped { interior, anchor, in_hand } = reshaped;
+        let Reshaped { interior, anchor, in_hand, turned } = reshaped;
         let interior = interior.and_then(|point| self.pushed_inside(side, point));
+        self.carry_pins(side, &spec.outline, turned);
         self.session.apply(Command::ReshapeOutline { side, outline: spec.outline, interior, anchor });
         if !in_hand {
             self.session.apply(Command::SetSettings { side, settings: spec.settings });
@@ -306,6 +329,7 @@ impl Model {
             return;
         }
         self.session.apply(Command::Swap);
+        self.pinned.swap();
         ModelSide::swap(&mut self.sides);
         for side in Side::BOTH {
             self.sides[side].refit = true;

@@ -26,6 +26,7 @@ pub mod opening;
 pub mod overlays;
 pub mod pattern;
 pub mod persistence;
+mod pinned;
 mod pointer;
 mod probe;
 mod refresh;
@@ -57,6 +58,7 @@ use crate::model::measurement::Measurement;
 use crate::model::opening::{Arrived, FileQueue};
 use crate::model::overlays::OverlayState;
 use crate::model::pattern::disk_grid::DiskGrid;
+use crate::model::pinned::Pinned;
 use crate::model::shown::ShownMap;
 use crate::model::side::preparation::Preparation;
 use crate::model::side::{ModelSide, OutlineRequest, SurfaceFiles};
@@ -141,6 +143,7 @@ pub struct Model {
     pub(super) update_ms: f64,
     /// The map's error about a constraint that it rejected.
     map_error: Option<(Side, Message)>,
+    pinned: Pinned,
     changed: Changed,
     /// The opened files that wait for those before them.
     queue: FileQueue,
@@ -156,6 +159,7 @@ impl Model {
 
     fn with_files(session: Session, surface_files: SurfaceFiles) -> Self {
         let surfaces = PerSide::from_fn(|side| session.surface(side).cloned());
+        let pinned = Pinned::coming(session.pins().cloned());
         let session = session.and(Side::BOTH.map(Command::CloseSurface));
         let mut model = Self {
             sides: PerSide::from_fn(|side| ModelSide::new(session.side(side))),
@@ -170,6 +174,7 @@ impl Model {
             refines: Refines::InRefresh,
             update_ms: UPDATE_MS,
             map_error: None,
+            pinned,
             changed: Changed::default(),
             queue: FileQueue::default(),
             arrived: None,
@@ -190,6 +195,7 @@ impl Model {
         let mut twin = Self::new(self.session.clone().and(Side::BOTH.map(Command::CloseSurface)));
         twin.sides = self.sides.as_ref().map(ModelSide::twin);
         twin.session.apply(Command::Open(Box::new(self.session.clone())));
+        twin.pinned = self.pinned.twin();
         twin.changed.sides = true;
         twin.fine = self.fine.twin();
         twin
@@ -309,9 +315,9 @@ impl Model {
         self.shown.mesh_generation
     }
 
-    /// The map's error about a constraint that it rejected.
+    /// The error about a constraint that the map rejected, or about the pins.
     pub fn map_error(&self) -> Option<(Side, &Message)> {
-        self.map_error.as_ref().map(|(side, message)| (*side, message))
+        self.map_error.as_ref().or(self.pinned.error()).map(|(side, message)| (*side, message))
     }
 
     /// Whether a side shows a new outline since the last call, so that its viewport has to fit it.
@@ -386,6 +392,9 @@ pub fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod either_side_tests;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod pinned_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod refining_tests;

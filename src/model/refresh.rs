@@ -21,6 +21,7 @@ impl Model {
     /// Updates the map to session and domains, or continues an update; `dragging`: a dot is being moved.
     pub fn refresh(&mut self, dragging: bool) -> Changes {
         let mut changes = Changes::default();
+        self.changed.points |= self.take_pins();
         if self.changed.sides || self.changed.points {
             changes |= self.retire_fine();
         }
@@ -29,6 +30,7 @@ impl Model {
             self.changed.points = true;
         }
         if std::mem::take(&mut self.changed.points) {
+            self.follow_pins();
             self.under_way.revision += 1;
             self.under_way.want();
         } else if !self.is_pending() && self.lacks_grid() {

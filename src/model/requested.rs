@@ -10,10 +10,11 @@ impl Model {
     /// outlines, settings and surfaces in preparation and their points. A file that is still being read is not in it, and
     /// a preparation may fail.
     pub fn requested(&self) -> Session {
-        Side::BOTH.into_iter().fold(self.session.clone(), |session, side| {
+        let session = Side::BOTH.into_iter().fold(self.session.clone(), |session, side| {
             let session = session.and(self.outline_in_preparation(side));
             session.and(self.shape_in_preparation(side))
-        })
+        });
+        session.and(self.pinned.incoming().cloned().map(|pins| Command::SetPins(Some(pins))))
     }
 
     /// The commands that bring the outline in preparation, with its settings and points.
@@ -30,6 +31,9 @@ impl Model {
                 Some(reshaped) => (reshaped.interior, reshaped.anchor),
                 None => (None, outline.first_anchor()),
             };
+            if preparation.wanted_points().is_none() && self.session.surface(side).is_none() {
+                commands.push(Command::SetPins(None));
+            }
             commands.push(Command::ReshapeOutline { side, outline, interior, anchor });
         }
         commands.extend(incoming_points.map(|points: SidePoints| Command::PlacePoints { side, points }));

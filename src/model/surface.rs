@@ -57,6 +57,9 @@ impl Model {
         // another file of the name that is already being prepared is a different surface
         let is_its_file = |state: &SurfaceState| is_awaited || state.spec.shape.is_file(&file.name);
         let awaiting = self.sides[side].next.take_surface().filter(is_its_file);
+        if awaiting.is_none() {
+            self.pinned.expect(None);
+        }
         match awaiting {
             Some(state) => self.want_file_of_session(side, state, file.clone()),
             None => self.sides[side].surface.want_file(&SurfaceSpec::default(), file.clone()),

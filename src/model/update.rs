@@ -115,6 +115,7 @@ impl Model {
             for side in Side::BOTH {
                 self.sides[side].last_good = self.session.side(side).points();
             }
+            self.pinned.note_good(self.session.pins());
         }
         self.map_error = None;
         let (meshes, map) = (replaced || retired || turned, replaced || retired || renewed);
@@ -128,6 +129,7 @@ impl Model {
             for side in Side::BOTH {
                 self.session.apply(Command::PlacePoints { side, points: self.sides[side].last_good });
             }
+            self.session.apply(Command::SetPins(self.pinned.last_good().cloned()));
         } else if !self.has_stand_in() {
             self.begin_at_the_default_point(error.side());
         }
@@ -148,6 +150,7 @@ impl Model {
             }
         };
         self.changed.points |= is_set;
+        self.session.apply(Command::SetPins(None)); // they led to the point that was rejected
         self.session.apply(Command::PlacePoints { side, points });
     }
 

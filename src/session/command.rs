@@ -3,7 +3,7 @@
 use super::{
     Colouring, Comparison, Holes, OutlineSpec, Session, SidePoints, SideState, SurfaceSpec, TextureKind, Touched,
 };
-use crate::conformal::{Direction, Extension, InteriorPoint, PrepareSettings, Side};
+use crate::conformal::{Direction, Extension, InteriorPoint, Pins, PrepareSettings, Side};
 use crate::geometry::{DVec2, PicturePlacement};
 
 /// A change of the session.
@@ -40,6 +40,14 @@ pub enum Command {
     PlacePoints {
         side: Side,
         points: SidePoints,
+    },
+    /// Lets boundary pairs determine the map, or the points again. Pins are dropped with the shapes on which they are.
+    SetPins(Option<Pins>),
+    /// Moves one of the pins, counted from 0, on a side; out of order, or without pins, changes nothing.
+    MovePin {
+        pin: usize,
+        side: Side,
+        fraction: f64,
     },
     /// Shows a surface instead of the outline. If the side has the same surface at another resolution or with other
     /// settings, the points stay; the interior point is reset if the triangles change.
@@ -89,7 +97,7 @@ impl Command {
             Self::Swap => Touched::SHAPES | Touched::POINTS | Touched::SETTINGS,
             Self::MoveInterior { .. } => Touched::INTERIOR,
             Self::MoveAnchor { .. } => Touched::BOUNDARY,
-            Self::PlacePoints { .. } => Touched::POINTS,
+            Self::PlacePoints { .. } | Self::SetPins(_) | Self::MovePin { .. } => Touched::POINTS,
             Self::SetSettings { .. } | Self::RefineSurface { .. } | Self::SetDirection(_) | Self::SetExtension(_) => {
                 Touched::SETTINGS
             }
@@ -127,6 +135,7 @@ impl Session {
             Command::SetOutline { side, outline } => {
                 let settings = self.sides[side].domain.settings;
                 let anchor = outline.first_anchor();
+                self.pins = None;
                 self.sides[side] = SideState::new(outline, settings);
                 self.sides[side].place(SidePoints::Outline { interior: None, anchor });
             }
@@ -138,13 +147,22 @@ impl Session {
             Command::MoveInterior { side, point } => self.sides[side].move_interior(point),
             Command::MoveAnchor { side, fraction } => self.sides[side].move_anchor(fraction),
             Command::PlacePoints { side, points } => self.sides[side].place(points),
+            Command::SetPins(pins) => self.pins = pins,
+            Command::MovePin { pin, side, fraction } => {
+                self.pins = self.pins.take().map(|pins| pins.moved(pin, side, fraction).unwrap_or(pins));
+            }
             Command::SetSurface { side, surface } | Command::RefineSurface { side, surface } => {
+                self.pins =
+                    self.pins.take().filter(|_| self.surface(side).is_some_and(|old| old.spec.is_like(&surface)));
                 self.sides[side].set_surface(surface);
             }
             Command::SetHoles { side, holes } => {
                 self.sides[side].surface.iter_mut().for_each(|surface| surface.holes = holes);
             }
-            Command::CloseSurface(side) => self.sides[side].surface = None,
+            Command::CloseSurface(side) => {
+                self.pins = None;
+                self.sides[side].surface = None;
+            }
             Command::SetDirection(direction) => self.display.direction = direction,
             Command::SetExtension(extension) => self.display.extension = extension,
             Command::SetTexture(texture) => self.display.texture = texture,
@@ -155,7 +173,10 @@ impl Session {
             Command::SetWireframe(shown) => self.display.wireframe = shown,
             Command::SetPlots(open) => self.display.plots = open,
             Command::SetComparison(comparison) => self.display.comparison = comparison,
-            Command::Swap => self.sides.swap(),
+            Command::Swap => {
+                self.sides.swap();
+                self.pins = self.pins.as_ref().map(Pins::exchanged);
+            }
             Command::Open(session) => *self = *session,
         }
         touched
@@ -168,6 +189,9 @@ impl Session {
             | Command::PlacePoints { side, points: SidePoints::Surface { .. } }
             | Command::SetHoles { side, .. }
             | Command::CloseSurface(side) => self.surface(*side).is_some(),
+            Command::MovePin { pin, side, fraction } => {
+                self.pins.as_ref().is_some_and(|pins| pins.moved(*pin, *side, *fraction).is_ok())
+            }
             Command::RefineSurface { side, surface } => {
                 self.surface(*side).is_some_and(|there| there.spec.is_like(surface))
             }

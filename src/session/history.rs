@@ -69,10 +69,11 @@ impl History {
         }
     }
 
-    /// Records a settled session as a new step; false if it equals the present one. A new step discards what could
-    /// be redone.
+    /// Records a settled session as a new step; false if it equals the present one, up to points that follow from pins. A
+    /// new step discards what could be redone.
     pub fn settle(&mut self, session: &Session) -> bool {
-        if *session == self.now {
+        if session.is_same_choice(&self.now) {
+            self.amend(session);
             return false;
         }
         self.past.push(std::mem::replace(&mut self.now, session.clone()));

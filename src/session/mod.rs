@@ -29,7 +29,9 @@ pub use touched::Touched;
 use view::Display;
 pub use view::{Colouring, Comparison, DiskWay, TextureKind};
 
-use crate::conformal::{Constraints, Direction, Extension, KernelMode, MapSettings, PerSide, PrepareSettings, Side};
+use crate::conformal::{
+    Constraints, Direction, Extension, KernelMode, MapSettings, PerSide, Pins, PrepareSettings, Side,
+};
 use crate::geometry::{DVec2, PicturePlacement};
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
@@ -39,6 +41,8 @@ use crate::outline::{Preset, Sampling};
 pub struct Session {
     sides: PerSide<SideState>,
     display: Display,
+    /// The boundary pairs that determine the map; the points of both sides then follow from them.
+    pins: Option<Pins>,
 }
 
 /// Boundary samples of the default session: enough for the checkerboard's lines to look smooth on a screen.
@@ -55,7 +59,8 @@ impl Default for Session {
             ..PrepareSettings::default()
         };
         let side = |preset| SideState::new(OutlineSpec::Preset(preset), settings);
-        Self { sides: PerSide::new(side(Preset::Gingerbread), side(Preset::Heart)), display: Display::default() }
+        let sides = PerSide::new(side(Preset::Gingerbread), side(Preset::Heart));
+        Self { sides, display: Display::default(), pins: None }
     }
 }
 
@@ -74,10 +79,10 @@ impl Session {
         self
     }
 
-    /// The map and display settings of this session with the sides of `other`.
+    /// The map and display settings of this session with the sides of `other`, without pins.
     #[must_use]
     pub fn over_sides_of(&self, other: &Self) -> Self {
-        Self { sides: other.sides.clone(), display: self.display }
+        Self { sides: other.sides.clone(), display: self.display, pins: None }
     }
 
     /// Both sides.
@@ -98,6 +103,18 @@ impl Session {
     /// The surface shown instead of a side's outline.
     pub fn surface(&self, side: Side) -> Option<&SurfaceState> {
         self.sides[side].surface.as_ref()
+    }
+
+    /// The boundary pairs that determine the map; `None`: the points do. With pins, the points are those that the map
+    /// through them was last found with.
+    pub fn pins(&self) -> Option<&Pins> {
+        self.pins.as_ref()
+    }
+
+    /// Whether the two sessions differ at most in points that follow from the same pins.
+    pub(crate) fn is_same_choice(&self, other: &Self) -> bool {
+        let points = |side| Command::PlacePoints { side, points: self.side(side).points() };
+        self == other || self.pins.is_some() && *self == other.clone().and(Side::BOTH.map(points))
     }
 
     /// Which side's mesh is mapped.

@@ -271,3 +271,49 @@ fn a_reshaped_outline_brings_its_points_along() {
     assert_eq!(session.domain(Side::Target).outline, outline);
     assert_eq!(session.side(Side::Source), Session::default().side(Side::Source));
 }
+
+fn pins() -> Pins {
+    Pins::new([[0.1, 0.2], [0.4, 0.3], [0.8, 0.9]].map(PerSide::from)).unwrap()
+}
+
+#[test]
+fn pins_are_moved_in_order_only_and_follow_an_exchange_of_the_sides() {
+    let mut session = Session::with([Command::SetPins(Some(pins()))]);
+    let moved = |pin, fraction| Command::MovePin { pin, side: Side::Target, fraction };
+    assert_eq!(session.apply(moved(1, 0.95)), Touched::NOTHING, "past the third pin");
+    assert_eq!(session.apply(moved(7, 0.5)), Touched::NOTHING, "there is no such pin");
+    assert_eq!(session.pins(), Some(&pins()));
+    assert_eq!(session.apply(moved(1, 0.5)), Touched::POINTS);
+    session.apply(Command::Swap);
+    let pairs: Vec<[f64; 2]> = session.pins().unwrap().pairs().iter().map(|pair| pair.into_array()).collect();
+    assert_eq!(pairs, [[0.2, 0.1], [0.5, 0.4], [0.9, 0.8]]);
+}
+
+#[test]
+fn pins_go_with_the_shapes_on_which_they_are() {
+    let pinned = Session::with([Command::SetPins(Some(pins()))]);
+    let surface = |preset| SurfaceSpec { shape: SurfaceShape::preset(preset), ..SurfaceSpec::default() };
+    let side = Side::Target;
+    let hemisphere = Command::SetSurface { side, surface: surface(SurfacePreset::Hemisphere) };
+    for command in [Command::SetOutline { side, outline: preset(Preset::Star) }, hemisphere.clone()] {
+        assert_eq!(pinned.clone().and([command]).pins(), None);
+    }
+    let on_surface = pinned.and([hemisphere.clone(), Command::SetPins(Some(pins()))]);
+    assert_eq!(on_surface.clone().and([hemisphere]).pins(), Some(&pins()), "the same surface");
+    let head = Command::SetSurface { side, surface: surface(SurfacePreset::AnimalHead) };
+    assert_eq!(on_surface.clone().and([head]).pins(), None);
+    assert_eq!(on_surface.and([Command::CloseSurface(side)]).pins(), None);
+}
+
+/// Points that follow from pins are found again when a side is sharpened: that is no step of the user's.
+#[test]
+fn points_that_follow_from_pins_are_no_step_of_their_own() {
+    let pinned = Session::with([Command::SetPins(Some(pins()))]);
+    let mut history = History::new(pinned.clone());
+    let found = Command::MoveInterior { side: Side::Source, point: DVec2::new(0.1, 0.2).into() };
+    let again = pinned.and([found.clone()]);
+    assert!(!history.settle(&again) && !history.can_undo());
+    assert_eq!(history.now(), &again);
+    assert!(history.settle(&again.clone().and([Command::SetPins(None)])), "without pins the points count");
+    assert!(history.settle(&again.and([Command::SetPins(None), found, Command::SetWireframe(true)])));
+}

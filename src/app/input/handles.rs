@@ -1,12 +1,14 @@
-//! The four dots x₁, y₁, x₂, y₂: hit test, drag, focus and pulse; and the probe.
+//! The dots x₁, y₁, x₂, y₂, or the pins in their place: hit test, drag, focus and pulse; and the probe.
 //!
 //! A drag keeps the offset from the pointer to the dot, so that the dot does not jump when it is grabbed.
 //! The nearest dot within [`GRAB_RADIUS`] is hit; a tie goes to the interior point.
 
+use crate::app::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR};
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::model::Probe;
-use egui::{Pos2, Vec2};
+use egui::{Color32, Pos2, Vec2};
+use std::borrow::Cow;
 
 /// The radius of a dot on the screen, in points, without its ring.
 pub const DOT_RADIUS: f32 = 9.0;
@@ -15,21 +17,33 @@ pub const GRAB_RADIUS: f32 = 22.0;
 /// The duration of the pulse of a dragged dot's partner, in seconds.
 pub const PULSE_SECONDS: f64 = 0.7;
 
-/// The two dots of a side.
+/// The dots of a side: two, or its pins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HandleKind {
     /// The interior point x, green.
     Interior,
     /// The boundary point y, magenta.
     Boundary,
+    /// A pin, counted from 0: a boundary point with its number.
+    Pin(u8),
 }
 
-/// One of the four dots.
+impl HandleKind {
+    /// The color of the dots of this kind.
+    pub fn colour(self) -> Color32 {
+        match self {
+            Self::Interior => INTERIOR_COLOUR,
+            Self::Boundary | Self::Pin(_) => BOUNDARY_COLOUR,
+        }
+    }
+}
+
+/// One of the dots.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Handle {
     /// The side that it belongs to.
     pub side: Side,
-    /// Interior or boundary point.
+    /// Interior point, boundary point or pin.
     pub kind: HandleKind,
 }
 
@@ -40,26 +54,29 @@ impl Handle {
         Self { side: self.side.other(), ..self }
     }
 
-    /// The symbol with the side as index, such as "x₁" or "y₂".
-    pub fn symbol(self) -> &'static str {
-        match (self.kind, self.side) {
+    /// The symbol with the side as index, such as "x₁" or "y₂"; the number of a pin, from 1.
+    pub fn symbol(self) -> Cow<'static, str> {
+        Cow::Borrowed(match (self.kind, self.side) {
             (HandleKind::Interior, Side::Source) => "x₁",
             (HandleKind::Interior, Side::Target) => "x₂",
             (HandleKind::Boundary, Side::Source) => "y₁",
             (HandleKind::Boundary, Side::Target) => "y₂",
-        }
+            (HandleKind::Pin(pin), _) => return Cow::Owned((u32::from(pin) + 1).to_string()),
+        })
     }
 }
 
-/// The dot that a press at `pointer` grabs; `positions` are those of the interior and the boundary point.
-pub fn hit(side: Side, positions: [Option<Pos2>; 2], pointer: Pos2) -> Option<Handle> {
-    let candidates = [(HandleKind::Interior, positions[0]), (HandleKind::Boundary, positions[1])];
-    candidates
-        .into_iter()
-        .filter_map(|(kind, position)| Some((kind, position?.distance(pointer))))
+/// The dots of a side on the screen; the first of two that are equally far from a press is hit, and painted last.
+pub type Places = Vec<(HandleKind, Pos2)>;
+
+/// The dot that a press at `pointer` grabs, with its place.
+pub fn hit(side: Side, places: &Places, pointer: Pos2) -> Option<(Handle, Pos2)> {
+    places
+        .iter()
+        .map(|&(kind, place)| ((Handle { side, kind }, place), place.distance(pointer)))
         .filter(|(_, distance)| *distance <= GRAB_RADIUS)
         .min_by(|a, b| a.1.total_cmp(&b.1))
-        .map(|(kind, _)| Handle { side, kind })
+        .map(|(dot, _)| dot)
 }
 
 /// A dot that is being dragged.
@@ -147,29 +164,35 @@ mod tests {
     use super::*;
     use egui::pos2;
 
-    const BOTH: [Option<Pos2>; 2] = [Some(pos2(100.0, 100.0)), Some(pos2(130.0, 100.0))];
+    fn both() -> Places {
+        vec![(HandleKind::Interior, pos2(100.0, 100.0)), (HandleKind::Boundary, pos2(130.0, 100.0))]
+    }
+
+    fn kind_at(places: &Places, x: f32) -> Option<HandleKind> {
+        hit(Side::Source, places, pos2(x, 100.0)).map(|(handle, _)| handle.kind)
+    }
 
     #[test]
     fn the_nearer_dot_is_hit_where_the_areas_overlap() {
-        assert_eq!(hit(Side::Source, BOTH, pos2(112.0, 100.0)).unwrap().kind, HandleKind::Interior);
-        assert_eq!(hit(Side::Source, BOTH, pos2(118.0, 100.0)).unwrap().kind, HandleKind::Boundary);
+        assert_eq!(kind_at(&both(), 112.0), Some(HandleKind::Interior));
+        assert_eq!(kind_at(&both(), 118.0), Some(HandleKind::Boundary));
     }
 
     #[test]
     fn a_finger_beside_the_dot_still_grabs_it_but_no_farther_than_44_points_across() {
-        assert!(hit(Side::Target, BOTH, pos2(100.0 - 21.0, 100.0)).is_some());
-        assert!(hit(Side::Target, BOTH, pos2(100.0 - 23.0, 100.0)).is_none());
+        assert!(kind_at(&both(), 100.0 - 21.0).is_some());
+        assert!(kind_at(&both(), 100.0 - 23.0).is_none());
     }
 
     #[test]
     fn a_missing_dot_cannot_be_grabbed() {
-        assert_eq!(hit(Side::Source, [None, None], pos2(100.0, 100.0)), None);
+        assert_eq!(kind_at(&Places::new(), 100.0), None);
     }
 
     #[test]
     fn coinciding_dots_give_the_interior_one() {
-        let same = [Some(pos2(5.0, 5.0)); 2];
-        assert_eq!(hit(Side::Source, same, pos2(6.0, 5.0)).unwrap().kind, HandleKind::Interior);
+        let same = both().into_iter().map(|(kind, _)| (kind, pos2(5.0, 100.0))).collect();
+        assert_eq!(kind_at(&same, 6.0), Some(HandleKind::Interior));
     }
 
     #[test]

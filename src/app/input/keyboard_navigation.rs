@@ -3,10 +3,10 @@
 //! An interior dot and the probe move on the screen, a boundary dot along its boundary (right and up: counter-clockwise);
 //! Shift makes the steps ten times smaller. In a viewport the arrow keys move the camera, `+` and `-` zoom, `0` fits.
 
-use crate::app::input::handles::{GRAB_RADIUS, Handle, HandleKind, HandleState};
+use crate::app::input::handles::{GRAB_RADIUS, Handle, HandleKind, HandleState, Places};
 use crate::app::input::locks::{Control, Locks};
 use crate::conformal::Side;
-use crate::language::{Label, key, tr};
+use crate::language::{Label, key, say, tr};
 use egui::{EventFilter, Id, Key, Modifiers, Pos2, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo, vec2};
 
 /// A step of an interior dot on the screen, in points: coarse (about a dot's radius) and fine.
@@ -25,6 +25,10 @@ pub enum KeyStep {
     Interior(Vec2),
     /// The displacement along the boundary, as a fraction of its length, counter-clockwise.
     Boundary(f64),
+    /// A pin, counted from 0, and its displacement along the boundary.
+    Pin(usize, f64),
+    /// Delete or Backspace: remove a pin, counted from 0.
+    RemovePin(usize),
 }
 
 /// Scrolls to the control that has just got the keyboard focus, if it is in the scrolled content of `ui` and not wholly
@@ -39,13 +43,11 @@ pub fn follow_focus(ui: &Ui) {
     }
 }
 
-/// Makes a side's dots focusable by Tab; returns the step of the focused one. `places` are the screen positions of the
-/// interior and the boundary dot.
-pub fn of_dots(ui: &Ui, side: Side, places: [Option<Pos2>; 2], handles: &mut HandleState) -> Option<KeyStep> {
+/// Makes a side's dots focusable by Tab; returns the step of the focused one.
+pub fn of_dots(ui: &Ui, side: Side, places: &Places, handles: &mut HandleState) -> Option<KeyStep> {
     let mut key_step = None;
-    for kind in [HandleKind::Interior, HandleKind::Boundary] {
+    for &(kind, place) in places {
         let handle = Handle { side, kind };
-        let Some(place) = places[kind as usize] else { continue };
         let station = Rect::from_center_size(place, Vec2::splat(2.0 * GRAB_RADIUS));
         let response = ui.interact(station, id_of(handle), Sense::focusable_noninteractive());
         response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, name(handle)));
@@ -53,7 +55,7 @@ pub fn of_dots(ui: &Ui, side: Side, places: [Option<Pos2>; 2], handles: &mut Han
             handles.focused = Some(handle);
             handles.ever_dragged = true;
             let arrows = held_arrows(ui, &response);
-            key_step = (arrows != [Vec2::ZERO; 2]).then(|| steps(kind, arrows)).or(key_step);
+            key_step = (arrows != [Vec2::ZERO; 2]).then(|| steps(kind, arrows)).or(removal(ui, kind)).or(key_step);
         } else if handles.focused == Some(handle) {
             handles.focused = None;
         }
@@ -74,11 +76,19 @@ pub fn of_probe(ui: &Ui, place: Pos2, handles: &mut HandleState) -> Option<Vec2>
     Some(STEPS[0] * coarse + STEPS[1] * fine).filter(|step| *step != Vec2::ZERO)
 }
 
+fn removal(ui: &Ui, kind: HandleKind) -> Option<KeyStep> {
+    let HandleKind::Pin(pin) = kind else { return None };
+    let pressed = ui.input(|input| input.key_pressed(Key::Delete) || input.key_pressed(Key::Backspace));
+    pressed.then_some(KeyStep::RemovePin(pin.into()))
+}
+
 fn steps(kind: HandleKind, [coarse, fine]: [Vec2; 2]) -> KeyStep {
     let along = |arrow: Vec2| f64::from(arrow.x - arrow.y);
+    let fraction = FRACTIONS[0] * along(coarse) + FRACTIONS[1] * along(fine);
     match kind {
         HandleKind::Interior => KeyStep::Interior(STEPS[0] * coarse + STEPS[1] * fine),
-        HandleKind::Boundary => KeyStep::Boundary(FRACTIONS[0] * along(coarse) + FRACTIONS[1] * along(fine)),
+        HandleKind::Boundary => KeyStep::Boundary(fraction),
+        HandleKind::Pin(pin) => KeyStep::Pin(pin.into(), fraction),
     }
 }
 
@@ -149,16 +159,18 @@ pub fn arrow_keys(ui: &Ui) -> [Vec2; 2] {
 
 /// The id of a dot's focusable area, the same in the plane and on a surface.
 fn id_of(handle: Handle) -> Id {
-    Id::unique(("dot", handle.symbol()))
+    Id::unique(("dot", handle.side, handle.symbol()))
 }
 
-fn name(handle: Handle) -> &'static str {
-    tr(match (handle.kind, handle.side) {
+fn name(handle: Handle) -> String {
+    let label = match (handle.kind, handle.side) {
         (HandleKind::Interior, Side::Source) => key::x1_interior_point_source(),
         (HandleKind::Interior, Side::Target) => key::x2_interior_point_target(),
         (HandleKind::Boundary, Side::Source) => key::y1_boundary_point_source(),
         (HandleKind::Boundary, Side::Target) => key::y2_boundary_point_target(),
-    })
+        (HandleKind::Pin(pin), side) => return say(&key::pin_of_side(u32::from(pin) + 1, side)),
+    };
+    String::from(tr(label))
 }
 
 fn viewport_name(side: Side) -> Label {

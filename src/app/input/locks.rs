@@ -159,10 +159,12 @@ impl Locks {
 
     /// Whether the dots of this kind are locked.
     pub fn holds_handle(self, kind: HandleKind) -> bool {
-        self.holds(match kind {
-            HandleKind::Interior => Control::Interior,
-            HandleKind::Boundary => Control::Boundary,
-        })
+        let moved = match kind {
+            HandleKind::Interior => Touched::INTERIOR,
+            HandleKind::Boundary => Touched::BOUNDARY,
+            HandleKind::Pin(_) => Touched::POINTS, // the interior points follow
+        };
+        self.keeps(moved).is_some()
     }
 
     /// Stores the locks in `context`, where [`Self::of`] finds them.

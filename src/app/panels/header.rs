@@ -209,10 +209,13 @@ pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View, beside: f32) 
         Side::Target => (key::x2_f_x1(), key::y2_f_y1()),
     };
     let explained = |kind| Some(dots::explanation(Handle { side, kind }));
-    let dots = [
-        (INTERIOR_COLOUR, tr(interior), explained(HandleKind::Interior)),
-        (BOUNDARY_COLOUR, tr(boundary), explained(HandleKind::Boundary)),
-    ];
+    let dots = match model.pins() {
+        Some(_) => vec![(BOUNDARY_COLOUR, tr(key::pins_in_legend()), explained(HandleKind::Pin(0)))],
+        None => vec![
+            (INTERIOR_COLOUR, tr(interior), explained(HandleKind::Interior)),
+            (BOUNDARY_COLOUR, tr(boundary), explained(HandleKind::Boundary)),
+        ],
+    };
     let dashes = overlays::paint::legend(side, model, ui.visuals().dark_mode);
     let dashes: Vec<Entry> = dashes.into_iter().map(|(colour, text)| (colour, text, None)).collect();
     let all: f32 = dots.iter().chain(&dashes).map(|(_, text, _)| entry_width(ui, text)).sum();

@@ -3,6 +3,7 @@
 //! | content | file |
 //! |---|---|
 //! | the column of controls | `side_panel`, `surface_panel`, `play_panel` |
+//! | which map: by points or by pins | `pins_panel` |
 //! | the boundary loops of a surface | `loops_panel` |
 //! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `invariants_panel` |
 //! | the welcome of the first visit | `welcome` |
@@ -19,6 +20,7 @@ mod loops_panel;
 pub mod method;
 pub mod offer;
 mod picture_panel;
+pub mod pins_panel;
 pub mod play_panel;
 pub mod shapes;
 pub mod side_panel;

@@ -1,5 +1,6 @@
 //! The picture of a surface that cannot be opened: its triangles as lines, its faults in red. Dragging turns it.
 
+use crate::app::theme::widgets::caption_font;
 use crate::app::theme::{Palette, ROUNDING};
 use crate::language::{key, say};
 use crate::worker::{Place, Sketch};
@@ -16,6 +17,8 @@ const LEAST: f32 = 72.0;
 const FILLED: f32 = 0.94;
 /// The turns at first: around the vertical, and down.
 const FIRST_TURNS: [f32; 2] = [0.6, 0.4];
+/// The space around the words, in points.
+const INSET: f32 = 6.0;
 /// Radians for a point of dragging.
 const TURN: f32 = 0.01;
 /// The width of a faulty edge, and the radius of the circle around what would be too small to see, in points.
@@ -42,6 +45,7 @@ pub fn show(ui: &mut Ui, sketch: &Sketch, most: f32) {
         ui.data_mut(|data| data.insert_temp(response.id, turns));
     }
     paint(ui, sketch, rect, turns);
+    caption(ui, &words, rect);
     response.on_hover_cursor(CursorIcon::Grab).on_hover_text(words);
 }
 
@@ -54,6 +58,17 @@ fn paint(ui: &Ui, sketch: &Sketch, rect: Rect, turns: [f32; 2]) {
     painter.extend(sketch.triangles.iter().map(|corners| Shape::closed_line(corners.map(&at).to_vec(), line)));
     marks(&painter, sketch, palette.error_edge, &at);
     painter.rect_stroke(rect, CornerRadius::same(ROUNDING), Stroke::new(1.0, palette.border), StrokeKind::Inside);
+}
+
+/// Says at the lower edge what is red.
+fn caption(ui: &Ui, words: &str, rect: Rect) {
+    let palette = Palette::of(ui.visuals());
+    let painter = ui.painter_at(rect);
+    let galley = painter.layout(words.to_owned(), caption_font(ui), palette.weak, rect.width() - 2.0 * INSET);
+    let place = rect.left_bottom() + vec2(INSET, -INSET - galley.size().y);
+    let ground = Rect::from_min_size(place, galley.size()).expand(2.0);
+    painter.rect_filled(ground, CornerRadius::ZERO, palette.canvas.gamma_multiply(0.8));
+    painter.galley(place, galley, palette.weak);
 }
 
 fn marks(painter: &Painter, sketch: &Sketch, ink: Color32, at: &impl Fn(Place) -> Pos2) {

@@ -24,7 +24,7 @@ pub struct DomainSize {
 }
 
 /// The places of the dots, in CSS pixels of the page; `None` where a dot is not shown.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct HandlePositions {
     /// The source's interior point.
     pub x1: Option<[f32; 2]>,
@@ -34,6 +34,8 @@ pub struct HandlePositions {
     pub y1: Option<[f32; 2]>,
     /// The target's boundary point.
     pub y2: Option<[f32; 2]>,
+    /// The source's and the target's pins; none: the points determine the map.
+    pub pins: [Vec<[f32; 2]>; 2],
 }
 
 /// The result of a map through the disk; arrays are by source and target.
@@ -113,6 +115,8 @@ pub struct MapStats {
     pub unrefined: Option<String>,
     /// The estimate of the map's errors; `None` unless both sides use the boundary integral.
     pub error_estimate: Option<ErrorBounds>,
+    /// The distance between each pin's image and its target; `None` without pins, and while the map is computed.
+    pub pin_misses: Option<Vec<f64>>,
     /// `Σ (k + 1)/m · (x_k + y_k)` over the images of the mapped side's boundary vertices.
     pub boundary_checksum: f64,
 }
@@ -295,6 +299,7 @@ fn map(model: &Model) -> MapStats {
         unresolved_area: model.unresolved_area(),
         unrefined: model.unrefined().map(Message::english),
         error_estimate: model.error_bounds(),
+        pin_misses: model.pin_misses(),
         boundary_checksum: boundary_checksum(model),
     }
 }
@@ -363,7 +368,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 47] = [
+    const KEYS: [&str; 48] = [
         "backend",
         "boundary_checksum",
         "cauchy_green",
@@ -392,6 +397,7 @@ mod tests {
         "marked_boundary",
         "measured_generation",
         "notes",
+        "pin_misses",
         "playing",
         "plots",
         "pointed",

@@ -1,17 +1,20 @@
 //! Grabbing, releasing and painting the dots, in planar viewports and on surfaces.
 
-use crate::app::input::handles::{DOT_RADIUS, GRAB_RADIUS, Handle, HandleKind, HandleState, hit};
+use crate::app::input::handles::{DOT_RADIUS, GRAB_RADIUS, Handle, HandleKind, HandleState, Places, hit};
 use crate::app::input::locks::Locks;
 use crate::app::plots::Plots;
 use crate::app::theme::widgets::caption_font;
-use crate::app::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette, is_animated};
+use crate::app::theme::{Palette, bold, is_animated};
 use crate::conformal::Side;
 use crate::language::{self, Label, Language, key, number, tr};
 use egui::emath::GuiRounding;
-use egui::{Color32, CornerRadius, CursorIcon, Painter, Pos2, Rect, Response, Stroke, StrokeKind, Ui, vec2};
+use egui::{Align2, Color32, CornerRadius, CursorIcon, Painter, Pos2, Rect, Response, Stroke, StrokeKind, Ui, vec2};
 
 /// The opacity of a dot behind the surface.
 const HIDDEN_STRENGTH: f32 = 0.4;
+
+/// The size of a pin's number, in points.
+const NUMBER: f32 = 11.0;
 
 /// The place of a dot on the screen.
 #[derive(Debug, Clone, Copy)]
@@ -23,24 +26,16 @@ pub struct Dot {
 }
 
 /// Starts dragging the dot under a pressed pointer, ends the drag on release, and updates hover state and cursor.
-/// `places` are those of the interior and the boundary dot; locked dots are not hit.
-pub fn grab_and_release(
-    ui: &Ui,
-    response: &Response,
-    side: Side,
-    places: [Option<Pos2>; 2],
-    handles: &mut HandleState,
-) {
+/// Locked dots are not hit.
+pub fn grab_and_release(ui: &Ui, response: &Response, side: Side, places: &Places, handles: &mut HandleState) {
     let (pressed, down, pointer, now) = ui.input(|input| {
         let pointer = &input.pointer;
         (pointer.primary_pressed(), pointer.primary_down(), pointer.interact_pos(), input.time)
     });
     let locks = Locks::of(ui.ctx());
     let under = pointer.filter(|_| response.hovered()).and_then(|pointer| hit(side, places, pointer));
-    let under = under.filter(|handle| !locks.holds_handle(handle.kind));
-    if let (true, Some(handle), Some(pointer)) = (pressed, under, pointer)
-        && let Some(place) = places[handle.kind as usize]
-    {
+    let under = under.filter(|(handle, _)| !locks.holds_handle(handle.kind));
+    if let (true, Some((handle, place)), Some(pointer)) = (pressed, under, pointer) {
         handles.grab(handle, place, pointer, now);
         // grabbing a dot with the pointer takes the keyboard focus away from the focused control
         ui.memory_mut(|memory| memory.focused().inspect(|id| memory.surrender_focus(*id)));
@@ -49,11 +44,11 @@ pub fn grab_and_release(
         handles.release();
     }
     if handles.hovered.is_none_or(|hovered| hovered.side == side) {
-        handles.hovered = under;
+        handles.hovered = under.map(|(handle, _)| handle);
     }
     if handles.grip.is_some() {
         ui.set_cursor_icon(CursorIcon::Grabbing);
-    } else if let Some(handle) = under {
+    } else if let Some((handle, _)) = under {
         ui.set_cursor_icon(CursorIcon::Grab);
         response.clone().on_hover_text_at_pointer(tr(explanation(handle)));
     }
@@ -66,6 +61,7 @@ pub fn explanation(handle: Handle) -> Label {
         (HandleKind::Interior, Side::Target) => key::explain_x2(),
         (HandleKind::Boundary, Side::Source) => key::explain_y1(),
         (HandleKind::Boundary, Side::Target) => key::explain_y2(),
+        (HandleKind::Pin(_), _) => key::explain_pin(),
     }
 }
 
@@ -74,10 +70,7 @@ pub fn paint(ui: &Ui, painter: &Painter, handle: Handle, dot: Dot, handles: &Han
     // egui draws small discs from a texture, aligned to pixels, and large ones unaligned: align all of them.
     let place = dot.place.round_to_pixels(ui.pixels_per_point());
     let strength = if dot.hidden { HIDDEN_STRENGTH } else { 1.0 };
-    let colour = match handle.kind {
-        HandleKind::Interior => INTERIOR_COLOUR,
-        HandleKind::Boundary => BOUNDARY_COLOUR,
-    };
+    let colour = handle.kind.colour();
     let now = ui.input(|input| input.time);
     if let Some(progress) = handles.pulse_of(handle, now).filter(|_| is_animated(ui)) {
         let radius = DOT_RADIUS + 24.0 * progress;
@@ -93,6 +86,10 @@ pub fn paint(ui: &Ui, painter: &Painter, handle: Handle, dot: Dot, handles: &Han
     painter.circle_filled(place + vec2(0.0, 1.0), radius + 3.0, Color32::from_black_alpha(70).gamma_multiply(strength));
     painter.circle_filled(place, radius + 1.0, Color32::WHITE.gamma_multiply(strength));
     painter.circle_filled(place, radius - 1.5, colour.gamma_multiply(strength));
+    if let HandleKind::Pin(_) = handle.kind {
+        let ink = Color32::WHITE.gamma_multiply(strength);
+        painter.text(place, Align2::CENTER_CENTER, handle.symbol(), bold(NUMBER), ink);
+    }
     if handles.focused == Some(handle) {
         painter.circle_stroke(place, radius + 5.0, Stroke::new(2.0, Palette::of(ui.visuals()).accent_soft));
     }

@@ -8,6 +8,7 @@
 //! | the state of both pictures | `pictures` |
 //! | a side's picture: of a plane or of a surface | `picture` |
 //! | dragging and painting the dots | `dots` |
+//! | adding, removing and numbering pins | `pins` |
 //! | the marks at an outline's corners | `corners` |
 //! | moving the texture's picture | `picture_gestures` |
 //! | a small circle with a cross, and its image | `probe` |
@@ -24,6 +25,7 @@ pub mod legend;
 pub mod picture;
 mod picture_gestures;
 pub mod pictures;
+mod pins;
 pub mod planar;
 pub mod probe;
 pub mod surface;

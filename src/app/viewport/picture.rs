@@ -6,7 +6,7 @@ use super::surface::OrbitView;
 use super::view::{Margins, View};
 use super::{pictures::Pictures, planar, surface};
 use crate::app::input::action::Actions;
-use crate::app::input::handles::HandleState;
+use crate::app::input::handles::{HandleState, Places};
 use crate::conformal::Side;
 use crate::model::Model;
 use crate::render::{CellStyle, OrbitCamera, Pace, TextureStyle};
@@ -51,8 +51,9 @@ pub enum Seen {
 impl Pictures {
     /// Places the viewport of a side; a camera that is fitted shows the whole outline or surface.
     pub fn place(&mut self, model: &Model, side: Side, rect: Rect, pixels_per_point: f32, margins: Margins) {
+        let seen = self.uv.seen(model, side, model.extent(side));
         let view = &mut self.views[side];
-        view.place(rect, pixels_per_point, margins, model.extent(side));
+        view.place(rect, pixels_per_point, margins, seen);
         if let Some(scene) = model.surface(side).and_then(|(surface, _)| surface.scene()) {
             self.orbits[side].place(view.rect, pixels_per_point, scene);
         }
@@ -124,6 +125,14 @@ impl Picture<&View, &OrbitView> {
             Self::Space(orbit) => {
                 [model.surface_point(side), model.surface_anchor(side)].map(|point| orbit.to_screen(point?))
             }
+        }
+    }
+
+    /// Where the dots that can be dragged are on the screen: the two points, or the pins.
+    pub fn places(&self, model: &Model, side: Side) -> Places {
+        match self {
+            Self::Plane(view) => planar::places(side, model, view),
+            Self::Space(orbit) => surface::viewport::places(side, model, orbit),
         }
     }
 

@@ -5,7 +5,7 @@
 //! other functions draw it, so that a dragged dot never lags behind the pointer.
 
 use crate::app::input::action::{Action, Actions};
-use crate::app::input::handles::{DOT_RADIUS, Handle, HandleKind, HandleState, Pointed};
+use crate::app::input::handles::{DOT_RADIUS, Handle, HandleKind, HandleState, Places, Pointed};
 use crate::app::input::keyboard_navigation;
 use crate::app::input::keyboard_navigation::{EyeMove, KeyStep};
 use crate::app::input::locks::{Control, Locks};
@@ -17,6 +17,7 @@ use crate::app::viewport::dots::Dot;
 use crate::app::viewport::gpu::ViewportCallback;
 use crate::app::viewport::picture::Picture;
 use crate::app::viewport::picture_gestures;
+use crate::app::viewport::pins;
 use crate::app::viewport::probe;
 use crate::app::viewport::view::View;
 use crate::conformal::Side;
@@ -26,9 +27,7 @@ use crate::model::Model;
 use crate::platform::STAGES_SHOWN_AFTER;
 use crate::render::{Pace, PlanarFrame, TextureStyle};
 use crate::session::Command;
-use egui::{
-    Align2, Color32, CornerRadius, CursorIcon, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2,
-};
+use egui::{Align2, Color32, CornerRadius, CursorIcon, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2};
 
 /// Zoom per point of scrolling: one notch of a wheel (50 points) zooms by 13 %.
 pub const ZOOM_PER_POINT: f32 = 0.0025;
@@ -63,10 +62,12 @@ pub fn interact(
     drag_dots(ui, &response, side, model, view, handles, actions);
     let on_probe = probe::interact(ui, &response, side, model, view, handles);
     let is_held = handles.grip.is_some() || on_probe.is_held;
+    let boundary = boundary_under_pointer(&response, side, model, view, handles);
+    let adds_pin = pins::add(ui, &response, side, model, boundary, actions);
     if places_picture {
         picture_gestures::drag(ui, &response, side, model, view, is_held, actions);
     } else {
-        move_camera(ui, &response, view, is_held, handles.hovered.is_none());
+        move_camera(ui, &response, view, is_held, handles.hovered.is_none() && !adds_pin);
     }
     let is_over = handles.grip.is_some() || handles.hovered.is_some() || on_probe.is_over;
     corners::interact(ui, &response, side, model, view, is_over, actions);
@@ -79,7 +80,7 @@ pub fn interact(
     if !on_probe.is_over {
         point_at(ui, &response, side, view, handles);
     }
-    boundary_under_pointer(&response, side, model, view, handles)
+    boundary
 }
 
 /// Notes the point under a pointer that hovers, or the one that is clicked; none while a button is down.
@@ -107,7 +108,23 @@ pub fn paint_image_mark(ui: &Ui, view: &View, image: DVec2) {
     }
 }
 
-/// Grabs, drags and releases the side's two dots, or moves them by keys.
+/// The dots of a side: its two points, or its pins.
+fn points(side: Side, model: &Model) -> Vec<(HandleKind, DVec2)> {
+    if let (Some(pins), Some(domain)) = (model.pins(), model.domain(side)) {
+        let samples = domain.samples();
+        let place = |fraction| samples.position(samples.at_fraction(fraction));
+        return pins::numbered(pins, side).map(|(kind, fraction)| (kind, place(fraction))).collect();
+    }
+    let points = [(HandleKind::Interior, model.interior(side)), (HandleKind::Boundary, model.anchor(side))];
+    points.into_iter().filter_map(|(kind, point)| Some((kind, point?))).collect()
+}
+
+/// Where the dots of a side are on the screen.
+pub fn places(side: Side, model: &Model, view: &View) -> Places {
+    points(side, model).into_iter().map(|(kind, point)| (kind, view.to_screen(point))).collect()
+}
+
+/// Grabs, drags and releases the side's dots, or moves them by keys.
 pub fn drag_dots(
     ui: &Ui,
     response: &Response,
@@ -117,10 +134,10 @@ pub fn drag_dots(
     handles: &mut HandleState,
     actions: &mut Actions,
 ) {
-    let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
-    dots::grab_and_release(ui, response, side, places, handles);
+    let places = places(side, model, view);
+    dots::grab_and_release(ui, response, side, &places, handles);
     drag_handle(ui, side, model, view, handles, actions);
-    if let Some(key_step) = keyboard_navigation::of_dots(ui, side, places, handles) {
+    if let Some(key_step) = keyboard_navigation::of_dots(ui, side, &places, handles) {
         actions.extend(stepped(side, model, view, key_step).map(Action::Session));
     }
 }
@@ -163,6 +180,9 @@ fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Handle
             model.interior_near(side, at).map(|point| Command::MoveInterior { side, point: point.into() })
         }
         HandleKind::Boundary => model.anchor_near(side, at).map(|fraction| Command::MoveAnchor { side, fraction }),
+        HandleKind::Pin(pin) => {
+            model.anchor_near(side, at).map(|fraction| Command::MovePin { pin: pin.into(), side, fraction })
+        }
     };
     actions.extend(command.map(Action::Session));
 }
@@ -176,6 +196,8 @@ fn stepped(side: Side, model: &Model, view: &View, key_step: KeyStep) -> Option<
         KeyStep::Boundary(step) => {
             Some(Command::MoveAnchor { side, fraction: model.session().side(side).anchor() + step })
         }
+        KeyStep::Pin(pin, step) => pins::stepped(model, side, pin, step),
+        KeyStep::RemovePin(pin) => pins::removed(model, pin),
     }
 }
 
@@ -220,13 +242,14 @@ pub fn paint_mesh(ui: &Ui, side: Side, view: &View, style: Option<&TextureStyle>
 pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState) {
     corners::paint(ui, side, model, view);
     let painter = ui.painter_at(view.rect);
-    let points = [(HandleKind::Boundary, model.anchor(side)), (HandleKind::Interior, model.interior(side))];
-    for (kind, point) in points {
-        if let Some(point) = point {
-            let handle = Handle { side, kind };
-            let words = || dots::coordinates(handle, &point.to_array());
-            dots::paint(ui, &painter, handle, Dot { place: view.to_screen(point), hidden: false }, handles, &words);
-        }
+    pins::paint_misses(&painter, side, model, |fraction| {
+        let samples = model.domain(side)?.samples();
+        Some(view.to_screen(samples.position(samples.at_fraction(fraction))))
+    });
+    for (kind, point) in points(side, model).into_iter().rev() {
+        let handle = Handle { side, kind };
+        let words = || dots::coordinates(handle, &point.to_array());
+        dots::paint(ui, &painter, handle, Dot { place: view.to_screen(point), hidden: false }, handles, &words);
     }
 }
 
@@ -246,13 +269,11 @@ pub fn paint_boundary_mark(ui: &Ui, side: Side, model: &Model, view: &View, frac
     dots::paint_mark(ui, &ui.painter_at(view.rect), side, place);
 }
 
-/// Draws the hint "drag a dot" below the interior dot, or below the boundary dot if the former is locked; `places` are
-/// those of the two dots.
-pub fn paint_hint(ui: &Ui, rect: Rect, places: [Option<Pos2>; 2]) {
+/// Draws the hint "drag a dot" below the first dot that is not locked.
+pub fn paint_hint(ui: &Ui, rect: Rect, places: &Places) {
     let locks = Locks::of(ui.ctx());
-    let dots = [HandleKind::Interior, HandleKind::Boundary].into_iter().zip(places);
-    let mut free = dots.filter(|(kind, _)| !locks.holds_handle(*kind));
-    let Some(place) = free.next().and_then(|(_, place)| place) else { return };
+    let mut free = places.iter().filter(|(kind, _)| !locks.holds_handle(*kind));
+    let Some(&(_, place)) = free.next() else { return };
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(rect);
     let galley = painter.layout_no_wrap(

@@ -49,6 +49,16 @@ impl UvGrid {
         self.placement = flattened(model, layout).map(|flattened| flattened.placement);
     }
 
+    /// What a fitted view of a side shows: `extent`, its outline's lower left and upper right corner, and with it the unit
+    /// square where that is drawn.
+    pub fn seen(&self, model: &Model, side: Side, extent: Option<(DVec2, DVec2)>) -> Option<(DVec2, DVec2)> {
+        let (low, high) = extent?;
+        let placement = self.placement.filter(|_| self.is_shown && model.abilities().has_layout());
+        let Some(placement) = placement.filter(|_| model.abilities().has_outline(side)) else { return extent };
+        let corners = [DVec2::ZERO, DVec2::ONE].map(|corner| placement.position(corner));
+        Some((low.min(corners[0]).min(corners[1]), high.max(corners[0]).max(corners[1])))
+    }
+
     /// Paints the coordinates over the outline of the layout; nothing on the surface's side.
     pub fn paint(&self, ui: &Ui, side: Side, model: &Model, view: &View) {
         let Some(placement) = self.placement.filter(|_| self.is_shown && model.abilities().has_layout()) else {
@@ -158,5 +168,25 @@ mod tests {
         let whole = placement(Layout { unit: true, corners: true });
         let errors = [whole.position(DVec2::ZERO) - low, whole.position(DVec2::ONE) - high];
         assert!(errors.iter().all(|error| error.length() < 1e-9), "{errors:?}");
+    }
+
+    #[test]
+    fn a_fitted_view_shows_the_whole_unit_square() {
+        let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 60 };
+        let session = Session::with([Command::SetSurface { side: Side::Target, surface: SurfaceSpec::new(shape) }]);
+        let model = Offscreen::new(&session, [None, None].into(), 1.0).unwrap().into_model();
+        let mut grid = UvGrid::default();
+        let extent = model.extent(Side::Source);
+        assert_eq!(grid.seen(&model, Side::Source, extent), extent, "not shown");
+        grid.is_shown = true;
+        grid.update(&model, Layout { unit: true, corners: false });
+        let (low, high) = grid.seen(&model, Side::Source, extent).unwrap();
+        let square = [DVec2::ZERO, DVec2::ONE].map(|corner| grid.placement.unwrap().position(corner));
+        for corner in square.into_iter().chain(extent.map(|(low, high)| [low, high]).unwrap()) {
+            assert!(corner.cmpge(low).all() && corner.cmple(high).all(), "{corner} from {low} to {high}");
+        }
+        // the gingerbread man is higher than wide, a square is not
+        assert!((high - low).x > 1.05 * extent.map(|(low, high)| high - low).unwrap().x);
+        assert_eq!(grid.seen(&model, Side::Target, None), None);
     }
 }

@@ -2,10 +2,10 @@
 
 use super::preparation::{Outlined, equation_settings};
 use super::{CurveBoundary, Unsharpened};
-use crate::boundary_integral::{BoundaryIntegral, BoundaryIntegralError};
+use crate::boundary_integral::{BoundaryIntegral, BoundaryIntegralError, HarmonicMeasure};
 use crate::geometry::{Curve, DVec2, SimplePolygon};
 use crate::outline::BoundaryPoint;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::super::{MeshedDomain, PrepareSettings};
 
@@ -14,7 +14,16 @@ use super::super::{MeshedDomain, PrepareSettings};
 pub struct BoundaryEquation {
     boundary: Arc<CurveBoundary>,
     integral: Arc<BoundaryIntegral>,
+    /// The last harmonic measures, the latest first.
+    recent: Arc<Mutex<Vec<Swept>>>,
 }
+
+/// A harmonic measure with the point that it is seen from.
+type Swept = (DVec2, Arc<HarmonicMeasure>);
+
+/// The number of harmonic measures that are kept: a drag of pins asks for that of the last frame, for those of a few steps
+/// of Newton's method, and for the last one again to map with it.
+const RECENT: usize = 2;
 
 impl BoundaryEquation {
     /// Factors the equation of an outline's curve, on which the samples of the outline's preparation with `settings`
@@ -42,12 +51,16 @@ impl BoundaryEquation {
             Err(BoundaryIntegralError::TooManyUnknowns { .. }) if !near.is_empty() => prepare(&[])?,
             result => result?,
         };
-        Ok(Self { boundary: Arc::new(boundary), integral: Arc::new(integral) })
+        Ok(Self::new(boundary, integral))
+    }
+
+    fn new(boundary: CurveBoundary, integral: BoundaryIntegral) -> Self {
+        Self { boundary: Arc::new(boundary), integral: Arc::new(integral), recent: Arc::default() }
     }
 
     /// The same equation with samples at `places` among its own.
     pub(in crate::conformal) fn resampled(&self, places: &[BoundaryPoint]) -> Self {
-        Self { boundary: Arc::new(self.boundary.resampled(places)), integral: Arc::clone(&self.integral) }
+        Self { boundary: Arc::new(self.boundary.resampled(places)), ..self.clone() }
     }
 
     /// The curve with the samples.
@@ -58,6 +71,21 @@ impl BoundaryEquation {
     /// The factored equation.
     pub fn integral(&self) -> &BoundaryIntegral {
         &self.integral
+    }
+
+    /// The harmonic measure from `x`, which must lie inside. O(N²) for N unknowns, or O(1) if it is one of the last two.
+    pub fn harmonic_measure(&self, x: DVec2) -> Result<Arc<HarmonicMeasure>, BoundaryIntegralError> {
+        let recent = || self.recent.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = recent().iter().find(|(at, _)| *at == x).map(|(_, measure)| Arc::clone(measure));
+        let measure = match known {
+            Some(measure) => measure,
+            None => Arc::new(self.integral.harmonic_measure(x)?),
+        };
+        let mut recent = recent();
+        recent.retain(|(at, _)| *at != x);
+        recent.insert(0, (x, Arc::clone(&measure)));
+        recent.truncate(RECENT);
+        Ok(measure)
     }
 
     /// Whether harmonic measure from `x` is resolved as well as from a point far from the boundary.
@@ -105,6 +133,6 @@ impl BoundaryEquation {
         let points = points.iter().map(point).collect::<Option<Vec<_>>>()?;
         let boundary = CurveBoundary::with_points(curve, points)?;
         let integral = BoundaryIntegral::from_flat(curve, integral)?;
-        Some(Self { boundary: Arc::new(boundary), integral: Arc::new(integral) })
+        Some(Self::new(boundary, integral))
     }
 }

@@ -19,6 +19,7 @@
 //! | `newton` | the point of a side that sees given measures |
 //! | `start` | where Newton's method begins next to a short part of the boundary |
 //! | `fit`, `moebius` | the map that misses more than three pins least |
+//! | `images` | boundary pairs of a map that is there |
 //!
 //! On a surface measures are those of finite elements, of which maps seen from different points differ by their error. A
 //! point that is given, or a side's default point, therefore stays if it sees every arc under a tenth or more.
@@ -28,6 +29,7 @@
 
 mod arcs;
 mod fit;
+mod images;
 mod moebius;
 mod newton;
 mod order;
@@ -126,6 +128,20 @@ pub enum PinError {
     /// A point's kernel could not be computed.
     #[error(transparent)]
     Map(#[from] MapError),
+}
+
+impl PinError {
+    /// The side that it is about; `None`: both.
+    pub fn side(&self) -> Option<Side> {
+        match self {
+            Self::NotFinite { side, .. }
+            | Self::Coinciding { side, .. }
+            | Self::NotFound { side }
+            | Self::NotConverged { side, .. } => Some(*side),
+            Self::Map(error) => Some(error.side()),
+            Self::Count { .. } | Self::Order { .. } | Self::Missed { .. } => None,
+        }
+    }
 }
 
 impl Pins {

@@ -130,8 +130,7 @@ impl<'a> Marked<'a> {
     fn seeing(&self, measures: DVec2, near: InteriorPoint) -> Result<Found<'a>, PinError> {
         let wanted = self.wanted(measures);
         if let InteriorPoint::Plane(x) = near
-            && wanted.off(x).is_some_and(|off| off <= NEARBY)
-            && let Ok(Some(found)) = wanted.in_plane(x)
+            && let Ok(Some(found)) = wanted.nearby(x, NEARBY)
         {
             return Ok(found);
         }

@@ -12,6 +12,7 @@ use crate::geometry::{DMat2, DVec2, DVec3};
 use crate::mesh::{BarycentricPoint, locate};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 /// Places of the boundary, equally spaced in measure, from which g′(0) is summed: the error is that of Taylor coefficients
 /// beyond it, 1e-3 where the boundary has corners.
@@ -28,7 +29,7 @@ pub struct View<'a> {
 }
 
 enum Measure<'a> {
-    Curve(&'a CurveBoundary, boundary_integral::HarmonicMeasure),
+    Curve(&'a CurveBoundary, Arc<boundary_integral::HarmonicMeasure>),
     Mesh(HarmonicMeasure),
 }
 
@@ -38,12 +39,12 @@ impl<'a> View<'a> {
         let measure = match (prepared.geometry(), x) {
             (SideGeometry::Plane(domain), InteriorPoint::Plane(x)) => {
                 let outside = MapError::PointOutside { side, x: x.x, y: x.y };
-                if let (Some(boundary), Some(integral)) = (prepared.curve_boundary(), prepared.boundary_integral()) {
-                    let measure = integral.harmonic_measure(x).map_err(|error| match error {
+                if let Some(equation) = prepared.equation() {
+                    let measure = equation.harmonic_measure(x).map_err(|error| match error {
                         BoundaryIntegralError::NotInside { .. } => outside,
                         error => MapError::BoundaryIntegral { side, error },
                     })?;
-                    Measure::Curve(boundary, measure)
+                    Measure::Curve(equation.boundary(), measure)
                 } else {
                     let located = if prepared.contains(x) { locate(domain.mesh(), x, None) } else { None };
                     Measure::Mesh(by_finite_elements(side, prepared, located.ok_or(outside)?, anchor)?)

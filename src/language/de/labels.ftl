@@ -430,6 +430,26 @@ paste_outline_source = Einen Umriss für das Urbild einfügen
 paste_outline_target = Einen Umriss für das Bild einfügen
 use_pasted = Verwenden
 
+## pins
+
+which_map = Welche Abbildung
+explain_which_map = Eine konforme Abbildung hat drei Freiheitsgrade. Ein Punkt x₁ mit seinem Bild x₂ und ein Randpunkt y₁ mit y₂ verbrauchen sie, ebenso drei Randpaare („Pins“) in gleicher Reihenfolge auf beiden Seiten: jeder Pin des Urbilds kommt genau auf den Pin mit seiner Nummer. Mehr als drei Pins verfehlt die Abbildung so wenig wie möglich (kleinste Quadrate); bei jedem steht, um wie viel.
+by_points = Punkte
+by_points_tooltip = x₁ kommt nach x₂ und y₁ nach y₂
+by_pins = Pins
+by_pins_tooltip = Drei oder mehr Randpunkte kommen auf ebenso viele Randpunkte; x₁ und x₂ folgen
+add_pin = Pin hinzufügen
+add_pin_tooltip = Fügt einen Pin mit seinem jetzigen Bild hinzu, wie ein Doppelklick auf einen Umriss. Entf entfernt den ausgewählten
+no_more_pins = Es sind 64 Pins, oder die Bilder weiterer lassen sich nicht unterscheiden
+pins_do_not_play = Pins halten die Abbildung fest: Unter „Welche Abbildung“ „Punkte“ wählen, damit sich Punkte bewegen
+pin_misses_tooltip = Der Abstand zwischen dem Bild des Pins und dem Pin des Bilds, in dessen Einheiten
+pins_in_legend = Pins: k kommt auf k
+explain_pin = Ein Randpunkt, der auf den Pin mit derselben Nummer auf der anderen Seite kommt. Zieh ihn am Umriss entlang; ein Doppelklick auf den Umriss fügt einen hinzu.
+pin_misses_by = verfehlt um { $miss }
+remove_pin = Pin { $pin } entfernen
+pin_of_side = Pin { $pin } ({ $side })
+accessible_pin = Pin { $pin } von { $source } % nach { $target } % der Ränder, verfehlt um { $miss }.
+
 ## play panel
 
 speed = Tempo
@@ -543,7 +563,7 @@ drag_beside_dots_about = Bewegt das Bild; eine Fläche wird gedreht, mit Umschal
 wheel_two_fingers = Rad oder zwei Finger
 wheel_two_fingers_about = Vergrößert; zwei Finger verschieben auch
 double_click = Doppelklick
-double_click_about = Zeigt wieder alles
+double_click_about = Zeigt wieder alles; bei Pins auf einem Umriss: setzt einen mit seinem Bild
 drop_file = Eine Datei ablegen
 drop_file_about = Öffnet einen Umriss, eine Fläche, ein Bild oder eine Sitzung
 keys = Tasten
@@ -562,7 +582,7 @@ ctrl_s_about = Sichert die Sitzung als Datei
 without_mouse = Ohne Maus
 f6_shift_tab = F6 oder Umschalt+Tab
 arrow_keys_dot = Pfeiltasten auf einem Punkt
-arrow_keys_dot_about = Bewegen ihn, mit Umschalt fein. Ein Randpunkt läuft den Rand entlang
+arrow_keys_dot_about = Bewegen ihn, mit Umschalt fein. Ein Randpunkt läuft den Rand entlang; Entf entfernt einen Pin
 arrow_keys_picture = Pfeiltasten auf einem Bild
 arrow_keys_picture_about = Bewegen es oder drehen die Fläche; + und − vergrößern, 0 zeigt alles
 space_enter = Leertaste oder Eingabe

@@ -430,6 +430,26 @@ paste_outline_source = Paste an outline for the source
 paste_outline_target = Paste an outline for the target
 use_pasted = Use it
 
+## pins
+
+which_map = Which map
+explain_which_map = A conformal map has three degrees of freedom. A point x₁ with its image x₂ and a boundary point y₁ with y₂ use them up, and so do three boundary pairs, “pins”, in the same order on both sides: each pin of the source goes exactly to the pin with its number. With more than three pins the map misses them as little as possible (least squares); each pin's miss is listed.
+by_points = Points
+by_points_tooltip = x₁ goes to x₂ and y₁ to y₂
+by_pins = Pins
+by_pins_tooltip = Three boundary points or more go to three boundary points; x₁ and x₂ follow
+add_pin = Add a pin
+add_pin_tooltip = Adds a pin with its present image; so does a double click on an outline. Delete removes the focused one
+no_more_pins = There are 64 pins, or the images of more cannot be told apart
+pins_do_not_play = Pins hold the map: choose “Points” under “Which map” to let points move
+pin_misses_tooltip = The distance between the pin's image and the pin of the target, in the target's units
+pins_in_legend = pins: k goes to k
+explain_pin = A boundary point that goes to the pin with the same number on the other side. Drag it along the outline; a double click on the outline adds one.
+pin_misses_by = miss { $miss }
+remove_pin = Remove pin { $pin }
+pin_of_side = Pin { $pin } of the { $side }
+accessible_pin = Pin { $pin } from { $source } % to { $target } % of the boundaries, missed by { $miss }.
+
 ## play panel
 
 speed = Speed
@@ -543,7 +563,7 @@ drag_beside_dots_about = Moves the picture; a surface is turned, with Shift move
 wheel_two_fingers = Wheel, or two fingers
 wheel_two_fingers_about = Zooms; two fingers also move
 double_click = Double-click
-double_click_about = Shows all of it again
+double_click_about = Shows all of it again; with pins, on an outline, adds one with its image
 drop_file = Drop a file
 drop_file_about = Opens an outline, a surface, an image or a session
 keys = Keys
@@ -562,7 +582,7 @@ ctrl_s_about = Saves the session as a file
 without_mouse = Without a mouse
 f6_shift_tab = F6 or Shift+Tab
 arrow_keys_dot = Arrow keys on a dot
-arrow_keys_dot_about = Move it; with Shift finely. A magenta dot goes along its boundary
+arrow_keys_dot_about = Move it; with Shift finely. A magenta dot goes along its boundary; Delete removes a pin
 arrow_keys_picture = Arrow keys on a picture
 arrow_keys_picture_about = Move it, or turn the surface; + and − zoom, 0 shows all of it
 space_enter = Space or Enter

@@ -1,7 +1,9 @@
 //! Messages for errors of the map, and for its notes.
 
 use crate::boundary_integral::BoundaryIntegralError;
-use crate::conformal::{MapError, MapNote, NotFlat, PrepareError, ResolveError, TableError, Unsharpened, WalkError};
+use crate::conformal::{
+    MOST_PINS, MapError, MapNote, NotFlat, PinError, PrepareError, ResolveError, TableError, Unsharpened, WalkError,
+};
 use crate::figures::FigureError;
 use crate::language::{Message, key};
 
@@ -50,6 +52,21 @@ impl From<&MapError> for Message {
             MapError::LoopAnchorNotFinite { .. } => key::map_loop_anchor_not_finite().into(),
             MapError::NotConverged { side, error } => key::map_not_converged(*side, Message::from(error)),
             MapError::BoundaryIntegral { side, error } => key::map_boundary_integral(*side, Message::from(error)),
+        }
+    }
+}
+
+impl From<&PinError> for Message {
+    fn from(error: &PinError) -> Self {
+        match error {
+            PinError::Count { count } => key::pin_count(*count, MOST_PINS),
+            PinError::NotFinite { pin, side } => key::pin_not_finite(*pin, *side),
+            PinError::Coinciding { pins: [a, b], side } => key::pins_coincide(*a, *b, *side),
+            PinError::Order { pins: [a, b, c], .. } => key::pins_out_of_order(*a, *b, *c),
+            PinError::NotFound { side } => key::pins_not_found(*side),
+            PinError::Missed { pin, miss } => key::pin_missed(*pin, *miss),
+            PinError::NotConverged { side, error } => key::map_not_converged(*side, Message::from(error)),
+            PinError::Map(error) => error.into(),
         }
     }
 }

@@ -20,6 +20,7 @@ impl From<&FileError> for Message {
             FileError::NoSession => key::session_file_no_session(file::NEWEST),
             FileError::Version { found } => key::session_file_version(*found, file::FORMAT),
             FileError::OutOfRange(reason) => key::session_file_out_of_range(Message::from(reason)),
+            FileError::Pins(reason) => key::session_file_pins(Message::from(reason)),
             FileError::Outline { side, reason } => key::session_file_outline(*side, Message::from(reason)),
         }
     }
@@ -35,6 +36,7 @@ impl From<&LinkError> for Message {
             LinkError::TooMuch => key::link_too_much().into(),
             LinkError::Unknown { what, name } => key::link_unknown(Label::from(*what), name.as_str()),
             LinkError::OutOfRange(reason) => key::link_out_of_range(Message::from(reason)),
+            LinkError::Pins(reason) => key::link_pins(Message::from(reason)),
             LinkError::Outline { side, reason } => key::link_outline(*side, Message::from(reason)),
         }
     }

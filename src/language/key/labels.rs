@@ -90,6 +90,9 @@ keys_of_labels! {
     precomputed_tooltip, both_tooltip, through_disk_tooltip, walks_tooltip,
     // paste
     paste_kinds, paste_outline_source, paste_outline_target, use_pasted,
+    // pins
+    which_map, explain_which_map, by_points, by_points_tooltip, by_pins, by_pins_tooltip, add_pin, add_pin_tooltip,
+    pin_misses_tooltip, pins_in_legend, explain_pin, no_more_pins, pins_do_not_play,
     // play panel
     speed, all, x1_tooltip, x2_tooltip, y1_tooltip, all_tooltip, no_plane, play_tooltip, stop_here, play,
     // plots
@@ -192,6 +195,8 @@ keys_of_messages! {
     along_boundary(count); rays(count); cells_across(count); points_collapsed(collapsed, samples);
     this_map_had(count); out_order(count); all_points_kept_apart(count); largest_difference(share);
     walks(count, shown); largest_deviation(deviation, chance);
+    // pins
+    pin_misses_by(miss); remove_pin(pin); pin_of_side(pin, side); accessible_pin(pin, source, target, miss);
     // play panel
     seconds_for_turn(seconds);
     // reports

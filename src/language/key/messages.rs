@@ -30,7 +30,7 @@ keys_of_labels! {
     unsupported_encoding, unsupported_binary_off, unsupported_strips, fault_no_glb, fault_node_twice, fault_no_ply,
     fault_list_length_type,
     // conformal
-    map_on_boundary, map_loop_anchor_not_finite, walk_no_boundary, integral_of_surface, stays_no_curve, equation_travels_apart, integral_no_curve, integral_apart,
+    pins_turned, map_on_boundary, map_loop_anchor_not_finite, walk_no_boundary, integral_of_surface, stays_no_curve, equation_travels_apart, integral_no_curve, integral_apart,
     integral_not_resolved, integral_singular,
     // rational
     formula_cancelled,
@@ -121,6 +121,8 @@ keys_of_messages! {
     table_too_large(rows, columns, megabytes, allowed, fitting_samples);
     map_no_point(triangles, a, b, c, triangle); map_other_kind(side);
     map_no_measure(edges); map_negative_kernel(edges); walk_start_outside(x, y);
+    pin_count(count, most); pin_not_finite(pin, side); pins_coincide(first, second, side);
+    pins_out_of_order(first, second, third); pins_not_found(side); pin_missed(pin, miss);
     map_not_converged(side, reason); map_boundary_integral(side, reason);
     integral_too_large(needed, limit); integral_not_inside(x, y); integral_not_meshed(reason);
     stays_few_points(count); stays_many_corners(corners, count); stays_leaves_edge(x, y); stays_crosses_itself(x, y);
@@ -140,9 +142,9 @@ keys_of_messages! {
     session_file_damaged(reason); session_file_part_missing(part); session_file_part_broken(part, reason);
     session_file_part_too_large(part, limit); session_file_parts(limit); session_file_in_part(part, error);
     session_file_too_large(limit); session_file_malformed(reason); session_file_no_session(ours);
-    session_file_version(found, ours); session_file_out_of_range(reason); session_file_outline(side, reason);
+    session_file_version(found, ours); session_file_out_of_range(reason); session_file_outline(side, reason); session_file_pins(reason);
     link_too_long(length, limit); link_version(found, ours); link_unknown(what, name); link_out_of_range(reason);
-    link_outline(side, reason); not_carried_too_long(points, limit); not_carried_not_simple(reason);
+    link_outline(side, reason); link_pins(reason); not_carried_too_long(points, limit); not_carried_not_simple(reason);
     out_of_range(what, value, low, high); outline_left_out(side, name, reason); outline_shortened(side, name, from, to, deviation);
     // render
     image_data_empty(width, height); image_data_byte_count(width, height, expected, actual); render_no_adapter(cause);

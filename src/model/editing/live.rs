@@ -20,6 +20,8 @@ pub struct Reshaped {
     pub anchor: f64,
     /// Whether the drag is still going on.
     pub in_hand: bool,
+    /// Whether the outline was turned over, so that its points run the other way around.
+    pub turned: bool,
 }
 
 impl Reshaped {

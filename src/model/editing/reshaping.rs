@@ -73,6 +73,8 @@ struct Form {
     shape: Shape,
     interior: Option<DVec2>,
     anchor: f64,
+    /// Whether it is the mirror image of the one last sent.
+    turned: bool,
 }
 
 /// The editing state of one side's outline.
@@ -218,6 +220,7 @@ impl Reshaping {
         form.interior = interior;
         if change == Change::Mirror {
             form.anchor = (1.0 - from.anchor).rem_euclid(1.0);
+            form.turned = true;
         }
         self.shape = form.shape.clone();
         self.selected = selected;
@@ -255,6 +258,8 @@ impl Reshaping {
 
     fn send(&mut self, model: &mut Model, in_hand: bool) {
         let Form { interior, mut anchor, .. } = self.good;
+        let turned = self.good.turned || self.good.shape.polygon().is_ok_and(|polygon| polygon.was_clockwise());
+        self.good.turned = false;
         // cannot fail: the shape was checked when it became the last valid one
         let Ok(polygon) = self.good.shape.polygon() else { return };
         if polygon.was_clockwise() {
@@ -269,7 +274,7 @@ impl Reshaping {
         }
         let form = self.sent.carried_form(&polygon);
         self.sent = OutlineSpec::points(self.name.clone(), polygon).with_form(form);
-        model.reshape(self.side, self.sent.clone(), Reshaped { interior, anchor, in_hand });
+        model.reshape(self.side, self.sent.clone(), Reshaped { interior, anchor, in_hand, turned });
     }
 }
 
@@ -278,12 +283,12 @@ fn form(side: Side, outline: &OutlineSpec, model: &Model) -> Form {
     let polygon = outline.polygon();
     let shape = Shape::new(&polygon);
     let anchor = carried_fraction(polygon.vertices(), shape.vertices(), model.session().side(side).anchor());
-    Form { shape, interior: model.interior(side), anchor }
+    Form { shape, interior: model.interior(side), anchor, turned: false }
 }
 
 /// `from` with another shape and the boundary point on the same part of it. Errors: the shape is not a valid outline.
 fn formed(from: &Form, shape: Shape) -> Result<Form, PolygonError> {
     shape.polygon()?;
     let anchor = carried_fraction(from.shape.vertices(), shape.vertices(), from.anchor);
-    Ok(Form { shape, interior: from.interior, anchor })
+    Ok(Form { shape, interior: from.interior, anchor, turned: false })
 }

@@ -274,7 +274,7 @@ mod tests {
     fn what_fails_on_the_way_of_a_hand_does_not_take_back_where_it_ended() {
         let mut generations = Generations::default();
         let mut side = prepared();
-        let reshaped = |in_hand| Reshaped { interior: None, anchor: 0.0, in_hand };
+        let reshaped = |in_hand| Reshaped { interior: None, anchor: 0.0, in_hand, turned: false };
         side.want_reshaped(OutlineSpec::Preset(Preset::Star), reshaped(true));
         let under_way = side.take_request(0.0, &mut generations).unwrap();
         side.want_reshaped(OutlineSpec::Preset(Preset::Disk), reshaped(false));

@@ -21,7 +21,7 @@ mod version2;
 pub use archive::{Archive, Attachment, FORMAT, MAX_ARCHIVE_BYTES, Part, Steps, is_zip, largest, read_archive};
 
 use super::{OutOfRange, OutlineSpec, Session};
-use crate::conformal::Side;
+use crate::conformal::{PinError, Side};
 use crate::geometry::{DVec2, PolygonError, SimplePolygon};
 use crate::outline::{CurveForm, Preset};
 use serde::{Deserialize, Serialize};
@@ -100,6 +100,9 @@ pub enum FileError {
     /// A number is not finite or outside the range of its control.
     #[error("the session cannot be used: {0}")]
     OutOfRange(#[from] OutOfRange),
+    /// The pins determine no map.
+    #[error("the session's pins cannot be used: {0}")]
+    Pins(PinError),
     /// An outline is not a simple polygon.
     #[error("the session's outline of the {side} cannot be used: {reason}")]
     Outline {

@@ -1,6 +1,7 @@
 //! Both formats are read back as written; damaged files are refused.
 
 use super::*;
+use crate::conformal::PerSide;
 use crate::geometry::PicturePlacement;
 use crate::mesh::{BarycentricPoint, TriangleId};
 use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec};
@@ -34,6 +35,11 @@ fn solid() -> Session {
     ])
 }
 
+fn pinned() -> Session {
+    let pins = crate::conformal::Pins::new([[0.1, 0.25], [1.0 / 3.0, 0.5], [0.8, 0.75]].map(PerSide::from)).unwrap();
+    solid().and([Command::SetPins(Some(pins))])
+}
+
 fn on_source_only() -> Session {
     solid().and([Command::CloseSurface(Side::Target)])
 }
@@ -46,7 +52,8 @@ fn changed(session: &Session, change: impl FnOnce(&mut Value)) -> Result<Session
 
 #[test]
 fn what_is_written_is_read_bit_for_bit_in_the_oldest_format_that_holds_it() {
-    for (session, format) in [(Session::default(), 1), (drawn(), 1), (solid(), 2), (on_source_only(), 2)] {
+    for (session, format) in [(Session::default(), 1), (drawn(), 1), (solid(), 2), (on_source_only(), 2), (pinned(), 2)]
+    {
         let text = write(&session).unwrap();
         assert!(text.starts_with(&format!("{{\n  \"riemap\": {format},\n  \"version\": {format},\n")), "{text}");
         assert_eq!(read(text.as_bytes()), Ok(session.clone()));
@@ -193,4 +200,15 @@ fn a_curve_beside_its_points_is_refused() {
     assert_ne!(moved, text, "{text}");
     let error = read(moved.as_bytes()).unwrap_err();
     assert!(error.to_string().contains("does not pass through its points"), "{error}");
+}
+
+#[test]
+fn pins_that_determine_no_map_are_refused() {
+    let refused = |change: fn(&mut Value)| changed(&pinned(), change).unwrap_err().to_string();
+    let same = refused(|value| value["pins"][1]["target"] = json!(0.25));
+    assert!(same.contains("pins 1 and 2"), "{same}");
+    let turned = refused(|value| value["pins"][1]["target"] = json!(0.9));
+    assert!(turned.contains("order"), "{turned}");
+    let few = refused(|value| value["pins"] = json!([]));
+    assert!(few.contains("0 boundary pairs"), "{few}");
 }

@@ -13,6 +13,7 @@ pub(super) fn holds(session: &Session) -> bool {
     session.surface(Side::Source).is_none()
         && !session.surface(Side::Target).is_some_and(SurfaceState::chooses_loops)
         && session.picture().is_default()
+        && session.pins().is_none()
         && Side::BOTH.iter().all(|&side| session.domain(side).outline.is_only_polygon())
 }
 
@@ -117,6 +118,7 @@ impl TryFrom<Version1> for Session {
                 comparison: form.added.comparison,
                 picture: form.added.picture,
             },
+            pins: None,
         })
     }
 }

@@ -2,7 +2,7 @@
 //! add fields with a default; readers skip unknown fields.
 
 use super::{FileError, OutlineForm};
-use crate::conformal::{Direction, Extension, PerSide, PrepareSettings, Side};
+use crate::conformal::{Direction, Extension, PerSide, Pins, PrepareSettings, Side};
 use crate::geometry::{DVec2, PicturePlacement};
 use crate::session::limits::{Quantity, within};
 use crate::session::view::Display;
@@ -19,6 +19,8 @@ pub(super) struct Written<'a> {
     target: WrittenSide<'a>,
     #[serde(flatten)]
     display: Display,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pins: Option<&'a [PerSide<f64>]>,
 }
 
 #[derive(Serialize)]
@@ -37,7 +39,8 @@ impl<'a> Written<'a> {
             WrittenSide { domain, interior: *interior, anchor: *anchor, surface: surface.as_ref() }
         };
         let (source, target) = (side(Side::Source), side(Side::Target));
-        Self { riemap: is_file.then_some(2), version: 2, source, target, display: session.display }
+        let pins = session.pins().map(Pins::pairs);
+        Self { riemap: is_file.then_some(2), version: 2, source, target, display: session.display, pins }
     }
 }
 
@@ -58,6 +61,7 @@ pub(super) struct Version2 {
     comparison: Comparison,
     #[serde(default)]
     picture: PicturePlacement,
+    pins: Option<Vec<PerSide<f64>>>,
 }
 
 #[derive(Deserialize)]
@@ -81,7 +85,9 @@ impl TryFrom<Version2> for Session {
 
     fn try_from(form: Version2) -> Result<Self, FileError> {
         within(Quantity::Version, f64::from(form.version), &(2.0..=2.0))?;
+        let pins = form.pins.map(Pins::new).transpose().map_err(FileError::Pins)?;
         Ok(Self {
+            pins,
             sides: PerSide::new(form.source.checked(Side::Source)?, form.target.checked(Side::Target)?),
             display: Display {
                 direction: form.direction,

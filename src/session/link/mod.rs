@@ -30,7 +30,7 @@ mod version1;
 mod version2;
 
 use super::{OutOfRange, OutlineSpec, Session};
-use crate::conformal::{PerSide, Side};
+use crate::conformal::{PerSide, PinError, Side};
 use crate::geometry::{DVec2, PolygonError};
 use curves::WiredCurve;
 pub(super) use envelope::{pack, unpack};
@@ -237,6 +237,9 @@ pub enum LinkError {
     /// A number is not finite or outside the range of its control.
     #[error("the link cannot be used: {0}")]
     OutOfRange(#[from] OutOfRange),
+    /// The pins determine no map.
+    #[error("the link's pins cannot be used: {0}")]
+    Pins(PinError),
     /// An outline is not a simple polygon.
     #[error("the link's outline of the {side} cannot be used: {reason}")]
     Outline {

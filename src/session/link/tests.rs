@@ -448,3 +448,17 @@ fn a_damaged_link_says_that_it_is() {
     let fragment = encode(&house()).unwrap().fragment;
     assert_eq!(decode(&fragment.replace("s=1.", "s=2.")), Err(LinkError::Damaged));
 }
+
+/// An older program shows the same map by its points.
+#[test]
+fn pins_travel_in_a_section_that_may_be_skipped() {
+    let pins = crate::conformal::Pins::new([[0.1, 0.25], [1.0 / 3.0, 0.5], [0.8, 0.75]].map(PerSide::from)).unwrap();
+    let session = Session::default().and([Command::SetPins(Some(pins))]);
+    let link = encode(&session).unwrap().fragment;
+    assert!(link.starts_with("s=2."), "{link}");
+    assert_eq!(decode(&link).unwrap().session, session);
+    let bytes = postcard::to_allocvec(&vec![[0.1, 0.2], [0.1, 0.3], [0.5, 0.6]]).unwrap();
+    let damaged = version2::Section { number: 7, may_be_skipped: true, content: bytes };
+    let refused = with_section(damaged);
+    assert!(matches!(refused, Err(LinkError::Pins(_))), "{refused:?}");
+}

@@ -119,6 +119,7 @@ impl Version1 {
                     comparison,
                     picture: _, // in a section of version 2
                 },
+            pins: _, // a section of version 2
         } = session;
         let sides = [source, target];
         Self {
@@ -178,6 +179,7 @@ impl Version1 {
                 comparison: Coded::of(self.comparison)?,
                 picture: PicturePlacement::default(),
             },
+            pins: None,
         };
         Ok(Decoded { session, missing })
     }

@@ -11,12 +11,13 @@
 //! | 2, 3 | the source's, the target's outline with its curve, which version 1 says to be in a file | no |
 //! | 4 | the placement of the image, where it is not the default: it changes no map | yes |
 //! | 5, 6 | the loop that is the outline of the source's, the target's surface, and whether its holes are painted | no |
+//! | 7 | the pins, pairs of fractions; the points of the map through them are in the link too | yes |
 
 use super::codes::Coded;
 use super::curves::WiredCurve;
 use super::version1::{Surface, Version1, WiredOutline};
 use super::{Choice, Decoded, LinkError, MissingOutline};
-use crate::conformal::{PerSide, Side};
+use crate::conformal::{PerSide, Pins, Side};
 use crate::geometry::PicturePlacement;
 use crate::session::{OutlineSpec, Session, SurfaceState};
 use serde::{Deserialize, Serialize};
@@ -29,6 +30,9 @@ const CURVES: PerSide<u16> = PerSide::new(2, 3);
 const PICTURE: u16 = 4;
 /// The sections with the sides' choices among the boundary loops of a surface.
 const LOOPS: PerSide<u16> = PerSide::new(5, 6);
+
+/// The section with the pins.
+const PINS: u16 = 7;
 
 /// A session.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -49,6 +53,7 @@ pub(super) fn is_needed(session: &Session) -> bool {
     session.surface(Side::Source).is_some()
         || session.surface(Side::Target).is_some_and(SurfaceState::chooses_loops)
         || !session.picture().is_default()
+        || session.pins().is_some()
 }
 
 impl Version2 {
@@ -79,6 +84,11 @@ impl Version2 {
             let content = postcard::to_allocvec(&session.picture()).ok()?;
             sections.push(Section { number: PICTURE, may_be_skipped: true, content });
         }
+        if let Some(pins) = session.pins() {
+            let pairs: Vec<[f64; 2]> = pins.pairs().iter().map(|pair| pair.into_array()).collect();
+            let content = postcard::to_allocvec(&pairs).ok()?;
+            sections.push(Section { number: PINS, may_be_skipped: true, content });
+        }
         Some(Self { first: Version1::new(session, outlines), sections })
     }
 
@@ -95,6 +105,10 @@ impl Version2 {
                     *surface = Some(super::whole::<Surface>(content)?.state()?);
                 }
                 PICTURE => decoded.session.display.picture = super::whole::<PicturePlacement>(content)?,
+                PINS => {
+                    let pairs = super::whole::<Vec<[f64; 2]>>(content)?.into_iter().map(PerSide::from);
+                    decoded.session.pins = Some(Pins::new(pairs).map_err(LinkError::Pins)?);
+                }
                 _ if *number == LOOPS.source => choose_loops(&mut decoded, Side::Source, content)?,
                 _ if *number == LOOPS.target => choose_loops(&mut decoded, Side::Target, content)?,
                 _ if *number == CURVES.source => place_curve(&mut decoded, Side::Source, content)?,
@@ -102,6 +116,10 @@ impl Version2 {
                 _ if *may_be_skipped => {}
                 unknown => return Err(LinkError::Unknown { what: Choice::Setting, name: unknown.to_string() }),
             }
+        }
+        if !decoded.missing.is_empty() {
+            // not on a disk that stands in for an outline; the points give the map
+            decoded.session.pins = None;
         }
         Ok(decoded)
     }

@@ -4,7 +4,7 @@
 //! not grab a dot turns the surface, two fingers or the other buttons move it.
 
 use crate::app::input::action::{Action, Actions};
-use crate::app::input::handles::{Handle, HandleKind, HandleState};
+use crate::app::input::handles::{Handle, HandleKind, HandleState, Places};
 use crate::app::input::keyboard_navigation;
 use crate::app::input::keyboard_navigation::{EyeMove, KeyStep};
 use crate::app::input::locks::{Control, Locks};
@@ -13,6 +13,7 @@ use crate::app::viewport::dots;
 use crate::app::viewport::dots::Dot;
 use crate::app::viewport::gpu::ViewportCallback;
 use crate::app::viewport::picture::Picture;
+use crate::app::viewport::pins;
 use crate::app::viewport::planar::{BOUNDARY_REACH, ZOOM_PER_POINT};
 use crate::app::viewport::surface::{OrbitView, loops};
 use crate::conformal::Side;
@@ -40,24 +41,26 @@ pub fn interact(
     if pinch(ui, &response, view, handles) {
         return None;
     }
-    let places = [model.surface_point(side), model.surface_anchor(side)].map(|place| view.to_screen(place?));
+    let places = places(side, model, view);
     let held_dot = handles.grip.is_some();
-    dots::grab_and_release(ui, &response, side, places, handles);
+    dots::grab_and_release(ui, &response, side, &places, handles);
     drag_handle(ui, side, model, view, handles, actions);
-    if let Some(key_step) = keyboard_navigation::of_dots(ui, side, places, handles) {
+    if let Some(key_step) = keyboard_navigation::of_dots(ui, side, &places, handles) {
         actions.extend(stepped(side, model, view, key_step).map(Action::Session));
     }
     if !held_dot {
         loops::interact(ui, &response, (side, model), view, handles, actions);
     }
-    move_eye(ui, &response, view, handles);
+    let boundary = boundary_under_pointer(&response, side, model, view, handles);
+    let adds_pin = pins::add(ui, &response, side, model, boundary, actions);
+    move_eye(ui, &response, view, handles, !adds_pin);
     match keyboard_navigation::of_viewport(ui, &response, side, handles) {
         Some(EyeMove::Step(step)) => view.turn(-step),
         Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
         Some(EyeMove::Fit) => view.fit(),
         None => {}
     }
-    boundary_under_pointer(&response, side, model, view, handles)
+    boundary
 }
 
 /// Two fingers: pan and zoom, and let go of what one finger had. Returns whether there are two.
@@ -84,6 +87,9 @@ fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &OrbitView, handles: &H
     let command = match grip.handle.kind {
         HandleKind::Interior => point_at(side, model, view, at),
         HandleKind::Boundary => anchor_at(side, model, view, at).map(|fraction| Command::MoveAnchor { side, fraction }),
+        HandleKind::Pin(pin) => {
+            anchor_at(side, model, view, at).map(|fraction| Command::MovePin { pin: pin.into(), side, fraction })
+        }
     };
     actions.extend(command.map(Action::Session));
 }
@@ -92,6 +98,8 @@ fn stepped(side: Side, model: &Model, view: &OrbitView, key_step: KeyStep) -> Op
     match key_step {
         KeyStep::Interior(step) => point_at(side, model, view, view.to_screen(model.surface_point(side)?)? + step),
         KeyStep::Boundary(step) => Some(Command::MoveAnchor { side, fraction: model.surface(side)?.1.anchor + step }),
+        KeyStep::Pin(pin, step) => pins::stepped(model, side, pin, step),
+        KeyStep::RemovePin(pin) => pins::removed(model, pin),
     }
 }
 
@@ -114,7 +122,7 @@ fn anchor_at(side: Side, model: &Model, view: &OrbitView, at: Pos2) -> Option<f6
     Some(surface.fraction_at(nearest_on_boundary_to_ray(surface.mesh(), eye, direction, REACH)?))
 }
 
-fn move_eye(ui: &Ui, response: &Response, view: &mut OrbitView, handles: &HandleState) {
+fn move_eye(ui: &Ui, response: &Response, view: &mut OrbitView, handles: &HandleState, fits: bool) {
     if Locks::of(ui.ctx()).holds(Control::View) {
         return;
     }
@@ -137,7 +145,7 @@ fn move_eye(ui: &Ui, response: &Response, view: &mut OrbitView, handles: &Handle
     if view.spin(seconds) {
         ui.request_repaint();
     }
-    if response.double_clicked() && handles.hovered.is_none() {
+    if response.double_clicked() && handles.hovered.is_none() && fits {
         view.fit();
     }
     if let Some(pointer) = response.hover_pos() {
@@ -190,17 +198,33 @@ pub fn paint_surface(
 /// Draws the dots, over everything else in the viewport; fainter where the surface hides them.
 pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &OrbitView, handles: &HandleState) {
     let painter = ui.painter_at(view.rect);
-    let points =
-        [(HandleKind::Boundary, model.surface_anchor(side)), (HandleKind::Interior, model.surface_point(side))];
-    for (kind, point) in points {
-        let Some(dot) = point.and_then(|point| dot(side, model, view, point)) else { continue };
+    pins::paint_misses(&painter, side, model, |fraction| {
+        let surface = model.surface(side)?.0.surface()?;
+        view.to_screen(surface.boundary_position(surface.at_fraction(fraction)))
+    });
+    for (kind, point) in points(side, model).into_iter().rev() {
+        let Some(dot) = dot(side, model, view, point) else { continue };
         let handle = Handle { side, kind };
-        let words = || {
-            let p = point.unwrap_or_default();
-            dots::coordinates(handle, &p.to_array())
-        };
+        let words = || dots::coordinates(handle, &point.to_array());
         dots::paint(ui, &painter, handle, dot, handles, &words);
     }
+}
+
+/// The dots of a side: its two points, or its pins.
+fn points(side: Side, model: &Model) -> Vec<(HandleKind, DVec3)> {
+    let surface = model.surface(side).and_then(|(surface, _)| surface.surface());
+    if let (Some(pins), Some(surface)) = (model.pins(), surface) {
+        let place = |fraction| surface.boundary_position(surface.at_fraction(fraction));
+        return pins::numbered(pins, side).map(|(kind, fraction)| (kind, place(fraction))).collect();
+    }
+    let points =
+        [(HandleKind::Interior, model.surface_point(side)), (HandleKind::Boundary, model.surface_anchor(side))];
+    points.into_iter().filter_map(|(kind, point)| Some((kind, point?))).collect()
+}
+
+/// Where the dots of a side are on the screen.
+pub fn places(side: Side, model: &Model, view: &OrbitView) -> Places {
+    points(side, model).into_iter().filter_map(|(kind, point)| Some((kind, view.to_screen(point)?))).collect()
 }
 
 fn dot(side: Side, model: &Model, view: &OrbitView, point: DVec3) -> Option<Dot> {

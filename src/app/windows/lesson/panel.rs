@@ -203,9 +203,12 @@ fn buttons(ui: &mut Ui, editor: &LessonEditor, held: Option<Words>, asked: &mut 
     let add = Button::new(RichText::new(tr(key::add_step())).color(palette.on_accent)).fill(palette.accent);
     let is_full = (!editor.has_room()).then_some(key::lesson_is_full());
     let refused = is_full.or_else(|| refusal(ui, held, &LessonAction::Add));
-    if explained(ui, add.min_size(size), refused, key::add_step_tooltip()) {
-        asked.push(LessonAction::Add);
-    }
+    let add = add.min_size(size);
+    ui.vertical_centered_justified(|ui| {
+        if explained(ui, add, refused, key::add_step_tooltip()) {
+            asked.push(LessonAction::Add);
+        }
+    });
     let is_empty = editor.draft().steps.is_empty().then_some(key::lesson_without_steps());
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
