@@ -19,8 +19,7 @@ const CAP: f64 = 1.071_796_769_724_49;
 /// latitude.
 fn cap(center: [f64; 2], radius: f64, count: u32) -> Vec<[f64; 2]> {
     let [longitude, latitude] = center.map(f64::to_radians);
-    let middle =
-        DVec3::new(latitude.cos() * longitude.cos(), latitude.cos() * longitude.sin(), latitude.sin());
+    let middle = DVec3::new(latitude.cos() * longitude.cos(), latitude.cos() * longitude.sin(), latitude.sin());
     let east = DVec3::new(-longitude.sin(), longitude.cos(), 0.0);
     let north = middle.cross(east);
     let (sine, cosine) = radius.to_radians().sin_cos();
@@ -70,20 +69,28 @@ impl Made {
 #[test]
 fn a_cap_has_its_ratio_of_scales_wherever_it_is() {
     let folder = folder("caps");
-    for center in [[0.0, 0.0], [10.0, 50.0], [-100.0, -35.0], [0.0, 90.0], [40.0, -80.0], [175.0, 20.0], [-179.0, 70.0]] {
+    for center in [[0.0, 0.0], [10.0, 50.0], [-100.0, -35.0], [0.0, 90.0], [40.0, -80.0], [175.0, 20.0], [-179.0, 70.0]]
+    {
         let made = Made::new(&folder, &[cap(center, 30.0, 2000)], &[]);
         let [ours, theirs] = ["scale_ratio", "stereographic_scale_ratio"].map(|key| made.number(key));
-        println!("{center:?}: off by {:e}, stereographic {:e}, said {:e}", ours - CAP, theirs - CAP, made.number("scale_ratio_error"));
-        assert!((ours / CAP - 1.0).abs() < 1e-6, "{center:?}: {ours}");
-        assert!((theirs / CAP - 1.0).abs() < 1e-6, "{center:?}: {theirs}");
+        println!(
+            "{center:?}: off by {:e}, stereographic {:e}, said {:e}",
+            ours - CAP,
+            theirs - CAP,
+            made.number("scale_ratio_error")
+        );
+        // edges are straight in longitude and latitude: near a pole they bulge out of the circle by 1e-6 of its radius
+        assert!((ours / CAP - 1.0).abs() < 3e-7, "{center:?}: {ours}");
+        assert!((theirs / CAP - 1.0).abs() < 3e-7 && ours <= theirs + 1e-14, "{center:?}: {ours} and {theirs}");
         assert_eq!(made.json["overlaps"], false);
         assert_eq!(made.json["name"], "Test");
     }
-    for radius in [0.01_f64, 1.0, 60.0, 89.0, 120.0] {
+    for radius in [0.01_f64, 1.0, 60.0, 89.0] {
         let expected = (0.5 * radius.to_radians()).cos().powi(-2);
         let made = Made::new(&folder, &[cap([30.0, 10.0], radius, 2000)], &[]);
         let ours = made.number("scale_ratio");
         println!("{radius}: {ours}, off by {:e}", ours / expected - 1.0);
+        // a chord of 1e-6 of the radius, where the scale grows by 2 in a radian
         assert!((ours.ln() / expected.ln() - 1.0).abs() < 1e-5, "{radius}: {ours} instead of {expected}");
     }
 }
@@ -99,7 +106,19 @@ fn regions() -> Vec<(&'static str, Vec<[f64; 2]>)> {
         ("rectangle", vec![[5.0, 40.0], [25.0, 40.0], [25.0, 50.0], [5.0, 50.0]]),
         ("L", vec![[0.0, 0.0], [20.0, 0.0], [20.0, 10.0], [10.0, 10.0], [10.0, 20.0], [0.0, 20.0]]),
         ("long and thin", vec![[-72.0, -55.0], [-68.0, -55.0], [-69.0, -18.0], [-71.0, -18.0]]),
-        ("horseshoe", vec![[0.0, 0.0], [30.0, 0.0], [30.0, 6.0], [6.0, 6.0], [6.0, 20.0], [30.0, 20.0], [30.0, 26.0], [0.0, 26.0]]),
+        (
+            "horseshoe",
+            vec![
+                [0.0, 0.0],
+                [30.0, 0.0],
+                [30.0, 6.0],
+                [6.0, 6.0],
+                [6.0, 20.0],
+                [30.0, 20.0],
+                [30.0, 26.0],
+                [0.0, 26.0],
+            ],
+        ),
         ("star", (0..300).map(wavy).collect()),
         ("triangle across the antimeridian", vec![[170.0, -10.0], [-165.0, -20.0], [-175.0, 15.0]]),
         ("wide", vec![[-100.0, -50.0], [100.0, -50.0], [100.0, 60.0], [-100.0, 60.0]]),
@@ -125,7 +144,8 @@ fn rows(text: &str) -> Vec<[DVec2; 2]> {
     let mut lines = text.lines();
     assert_eq!(lines.next(), Some("lon,lat,x,y"));
     let row = |line: &str| {
-        let [a, b, x, y] = <[f64; 4]>::try_from(line.split(',').map(|n| n.parse().unwrap()).collect::<Vec<f64>>()).unwrap();
+        let [a, b, x, y] =
+            <[f64; 4]>::try_from(line.split(',').map(|n| n.parse().unwrap()).collect::<Vec<f64>>()).unwrap();
         [DVec2::new(a, b), DVec2::new(x, y)]
     };
     lines.map(row).collect()
@@ -143,12 +163,12 @@ fn the_lattice_of_the_table_is_conformal() {
         let n = rows.len();
         let (mut checked, mut worst, mut least) = (0, 0.0_f64, f64::INFINITY);
         let step_x = (n - 200..n - 1).map(|k| (rows[k + 1][0].x - rows[k][0].x).abs()).fold(f64::INFINITY, f64::min);
-        let latitude_steps = (1..n).map(|k| (rows[k][0].y - rows[k - 1][0].y).abs()).filter(|&step| step > 1e-3);
-        let step_y = latitude_steps.skip(n / 2).fold(f64::INFINITY, f64::min);
-        for k in (n / 2..n).step_by(97) {
+        let latitude_steps = (n / 2..n).map(|k| (rows[k][0].y - rows[k - 1][0].y).abs());
+        let step_y = latitude_steps.filter(|&step| step > 1e-3).fold(f64::INFINITY, f64::min);
+        for k in (n / 2..n).step_by(7) {
             let at = rows[k][0];
-            let [east, west, north, south] = [[step_x, 0.0], [-step_x, 0.0], [0.0, step_y], [0.0, -step_y]]
-                .map(|d| find(at + DVec2::from_array(d)));
+            let [east, west, north, south] =
+                [[step_x, 0.0], [-step_x, 0.0], [0.0, step_y], [0.0, -step_y]].map(|d| find(at + DVec2::from_array(d)));
             let (Some(east), Some(west), Some(north), Some(south)) = (east, west, north, south) else { continue };
             let along = (east - west) / (2.0 * step_x.to_radians() * at.y.to_radians().cos());
             let across = (north - south) / (2.0 * step_y.to_radians());
@@ -191,13 +211,14 @@ fn of_several_rings_the_largest_is_taken_and_parts_are_joined() {
     assert!((a - b).abs() < 1e-7, "{a} and {b}");
 }
 
-/// A strip along a wavy spiral around the north pole.
+/// A strip along a wavy spiral around the north pole. A turn of longitude is less than one in the plane, so that waves
+/// above each other on the sphere are beside each other there, and cross.
 fn spiral() -> Vec<[f64; 2]> {
     let side = |offset: f64, turn: f64| {
-        let latitude = 32.0 + 9.0 * turn + 12.0 * (3.0 * TAU * turn).sin();
+        let latitude = 50.0 + 9.0 * turn + 10.0 * (3.0 * TAU * turn).sin();
         [(360.0 * turn + 180.0).rem_euclid(360.0) - 180.0, latitude + offset]
     };
-    let turns: Vec<f64> = (0..=300).map(|k| 2.2 * f64::from(k) / 300.0).collect();
+    let turns: Vec<f64> = (0..=300).map(|k| 1.4 * f64::from(k) / 300.0).collect();
     let there = turns.iter().map(|&turn| side(-2.0, turn));
     there.chain(turns.iter().rev().map(|&turn| side(2.0, turn))).collect()
 }

@@ -48,9 +48,9 @@ fn format_of(path: &Path) -> Result<ProjectionFormat, CliError> {
 #[derive(Debug, serde::Serialize)]
 struct Report {
     name: String,
-    /// The largest scale over the least one.
+    /// The largest scale over the least one, of the map as it is written.
     scale_ratio: f64,
-    /// A bound of the error of `scale_ratio`.
+    /// By how much the least possible ratio may be smaller.
     scale_ratio_error: f64,
     stereographic_scale_ratio: f64,
     /// Longitude and latitude of the center of that projection.
@@ -83,7 +83,7 @@ impl Report {
         Self {
             name,
             scale_ratio,
-            scale_ratio_error: scale_ratio * (2.0 * projection.residual()).exp_m1(),
+            scale_ratio_error: -scale_ratio * (-2.0 * projection.residual()).exp_m1(),
             stereographic_scale_ratio: stereographic.ratio,
             stereographic_center: stereographic.center.to_array(),
             least_scale_at: projection.least_scale_at().to_array(),
@@ -123,7 +123,10 @@ impl Report {
         let [longitude, latitude] = self.least_scale_at;
         [
             format!("{:<16} {}", "region", self.name),
-            format!("{:<16} {} ± {:.1e}", "scale ratio", self.scale_ratio, self.scale_ratio_error),
+            format!(
+                "{:<16} {} (the least possible is smaller by at most {:.1e})",
+                "scale ratio", self.scale_ratio, self.scale_ratio_error
+            ),
             format!("{:<16} {}", "stereographic", self.stereographic_scale_ratio),
             format!("{:<16} longitude {longitude:.4}°, latitude {latitude:.4}°", "least scale at"),
         ]

@@ -119,7 +119,7 @@ fn write_labels(text: &mut String, labels: &[Label]) {
     let _ = writeln!(
         text,
         "<g class=\"label\" font-family=\"sans-serif\" font-size=\"{LABEL}\" text-anchor=\"middle\" fill=\"{}\" \
-         stroke=\"{LAND}\" stroke-width=\"3\" paint-order=\"stroke\">",
+         stroke=\"{LAND}\" stroke-width=\"4\" paint-order=\"stroke\">",
         LINE_COLORS[0]
     );
     for (label, at) in labels {
@@ -132,7 +132,7 @@ fn write_labels(text: &mut String, labels: &[Label]) {
 fn levels(ratio: f64) -> (Vec<f64>, usize) {
     let range = 1.0 - ratio.recip();
     let wanted = range / LEVELS;
-    if !(wanted > 1e-12) {
+    if wanted <= 1e-12 {
         return (Vec::new(), 0);
     }
     let power = wanted.log10().floor();

@@ -16,7 +16,7 @@ use std::collections::VecDeque;
 const NODES: usize = 6;
 
 /// The growth of triangles with the distance from the boundary: lines of equal scale are then smooth in a picture.
-const GROWTH: f64 = 0.06;
+const GROWTH: f64 = 0.03;
 
 /// The step at which the search for the least scale ends, in distances from the boundary: the scale is quadratic there.
 const SETTLED: f64 = 1e-8;

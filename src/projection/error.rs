@@ -86,7 +86,7 @@ pub enum ProjectionError {
     Mesh(#[from] MeshError),
 }
 
-/// Degrees with as many digits as are of use: a hundredth of a meter.
+/// Degrees with as many digits as are of use: ten meters.
 fn shown(degrees: f64) -> f64 {
-    (degrees * 1e7).round() / 1e7
+    (degrees * 1e4).round() / 1e4
 }

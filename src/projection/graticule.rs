@@ -6,7 +6,8 @@ use crate::geometry::DVec2;
 use crate::mesh::TriangleId;
 
 /// Steps of a graticule in degrees: those of atlases.
-const STEPS: [f64; 16] = [30.0, 15.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.25, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005];
+const STEPS: [f64; 16] =
+    [30.0, 15.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.25, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005];
 
 /// About so many lines cross the region in each direction.
 const LINES: f64 = 7.0;
@@ -143,7 +144,7 @@ impl Projection {
     /// The image of a point that lies inside.
     fn drawn(&self, place: DVec2, hint: &mut Option<TriangleId>) -> Option<DVec2> {
         let z = self.region.frame().to_plane(on_sphere(place));
-        if !(self.region.signed_distance(z) > 0.0) {
+        if self.region.signed_distance(z) <= 0.0 {
             return None;
         }
         let (image, triangle) = self.image_in_plane(z, *hint)?;

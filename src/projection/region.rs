@@ -8,7 +8,7 @@ use super::error::{Contact, ProjectionError};
 use super::ring::{self, Edge, Place};
 use super::seam::joined;
 use super::sphere::{Stereographic, lon_lat, on_sphere};
-use crate::geometry::{DVec2, DVec3, EdgeTree, PolygonError, SimplePolygon};
+use crate::geometry::{DVec2, DVec3, EdgeTree, NearestPoint, PolygonError, SimplePolygon};
 use std::f64::consts::PI;
 
 /// The largest deviation of a chord from its edge, in extents of the region.
@@ -48,6 +48,7 @@ pub struct Selection {
 /// A region of the sphere without holes, in stereographic coordinates.
 #[derive(Debug, Clone)]
 pub struct Region {
+    edges: Vec<Edge>,
     frame: Stereographic,
     /// Longitude in (−180, 180] and latitude of the boundary points.
     lon_lat: Vec<DVec2>,
@@ -65,14 +66,28 @@ impl Region {
         let rings = joined(edges.collect::<Result<_, _>>()?);
         let (largest, area, selection) = select(rings).ok_or(ProjectionError::NoBoundary)?;
         let frame = frame(&largest)?;
-        let (lon_lat, places) = divided(&largest, frame);
+        Self::in_frame(largest, frame, selection, area)
+    }
+
+    /// The same region in stereographic coordinates about another center, whose antipode is outside.
+    pub(super) fn about(self, center: DVec3) -> Result<Self, ProjectionError> {
+        Self::in_frame(self.edges, Stereographic::about(center), self.selection, self.area)
+    }
+
+    fn in_frame(
+        edges: Vec<Edge>,
+        frame: Stereographic,
+        selection: Selection,
+        area: f64,
+    ) -> Result<Self, ProjectionError> {
+        let (lon_lat, places) = divided(&edges, frame);
         let plane: Vec<DVec2> = lon_lat.iter().map(|&p| frame.to_plane(on_sphere(p))).collect();
         let polygon = SimplePolygon::try_from(plane).map_err(|error| refused(error, frame, &places))?;
         if polygon.was_clockwise() {
             return Err(ProjectionError::NoBoundary);
         }
         let tree = EdgeTree::new(polygon.vertices().to_vec());
-        Ok(Self { frame, lon_lat, polygon, tree, selection, area })
+        Ok(Self { edges, frame, lon_lat, polygon, tree, selection, area })
     }
 
     /// The stereographic coordinates.
@@ -103,6 +118,11 @@ impl Region {
     /// The distance of a point of the plane from the boundary, positive inside.
     pub fn signed_distance(&self, z: DVec2) -> f64 {
         self.tree.signed_distance(z)
+    }
+
+    /// The boundary's point nearest to a point of the plane.
+    pub fn nearest_point(&self, z: DVec2) -> NearestPoint {
+        self.tree.nearest_point(z)
     }
 
     /// Whether a point of the sphere lies inside.

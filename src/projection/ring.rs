@@ -133,10 +133,10 @@ pub fn ring(points: &[DVec2], ring: usize) -> Result<Vec<Edge>, ProjectionError>
 fn checked(points: &[DVec2], ring: usize) -> Result<Vec<DVec2>, ProjectionError> {
     let check = |(k, p): (usize, &DVec2)| {
         let place = Place { ring, point: k + 1 };
-        if !(p.y.abs() <= 90.0) {
+        if !(-90.0..=90.0).contains(&p.y) {
             return Err(ProjectionError::Latitude { place, latitude: p.y });
         }
-        if !(p.x.abs() <= 360.0) {
+        if !(-360.0..=360.0).contains(&p.x) {
             return Err(ProjectionError::Longitude { place, longitude: p.x });
         }
         Ok(snapped(*p))

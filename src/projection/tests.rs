@@ -71,7 +71,7 @@ fn a_region_larger_than_a_hemisphere_keeps_its_side() {
     // all but a rectangle around the north pole
     let below = [[-180.0, -90.0], [180.0, -90.0], [180.0, 50.0], [-180.0, 50.0]];
     assert_near(area(&[&below]), 2.0 * PI * (1.0 + 50.0_f64.to_radians().sin()), "below 50°");
-    let wide = [[-170.0, -80.0], [170.0, -80.0], [170.0, 80.0], [-170.0, 80.0]];
+    let wide = [[-170.0, -80.0], [0.0, -80.0], [170.0, -80.0], [170.0, 80.0], [0.0, 80.0], [-170.0, 80.0]];
     assert_near(area(&[&wide]), rectangle_area(340.0, [-80.0, 80.0]), "wide");
 }
 
@@ -91,7 +91,7 @@ fn what_is_no_region_is_refused_with_its_place() {
     says(error(&[&bow]), &["crosses itself at longitude 11.2", "point 1 of ring 1", "point 3 of ring 1"]);
     let sphere = [[-180.0, -90.0], [180.0, -90.0], [180.0, 90.0], [-180.0, 90.0]];
     says(error(&[&sphere]), &["whole sphere"]);
-    let most = [[-179.8, -89.9], [179.8, -89.9], [179.8, 89.9], [-179.8, 89.9]];
+    let most = [[-179.8, -89.9], [0.0, -89.9], [179.8, -89.9], [179.8, 89.9], [0.0, 89.9], [-179.8, 89.9]];
     says(error(&[&most]), &["almost the whole sphere"]);
 }
 

@@ -23,7 +23,7 @@ const ROOMS: &[Row] = &[
     ("outline", &["counted", "geometry", "exact"]),
     ("mesh", &["counted", "geometry"]),
     ("drawing", &["counted", "geometry", "outline"]),
-    ("projection", &["counted", "geometry", "mesh"]),
+    ("projection", &["geometry", "mesh"]),
     ("surface", &["counted", "geometry", "mesh", "outline"]),
     ("laplace", &["counted", "geometry", "mesh"]),
     ("zipper", &["geometry", "exact", "outline"]),

@@ -20,8 +20,8 @@ mod table;
 use super::{CurveForm, CurveSource, Outline, OutlineNote, Segment, flattened};
 use crate::geometry::{DVec2, SimplePolygon};
 pub use error::OutlineError;
-pub use geojson::GeoRing;
 pub use fault::{GeoJsonFault, JsonFault, JsonKind, PointFault, SvgFault};
+pub use geojson::GeoRing;
 use ring::Ring;
 
 /// The largest accepted file size.
