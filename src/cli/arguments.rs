@@ -8,6 +8,7 @@ use super::invariants_arguments::InvariantsArguments;
 use super::ladder_arguments::LadderArguments;
 use super::map_arguments::MapArguments;
 use super::picture_arguments::{AnimateArguments, LinkArguments, RenderArguments};
+use super::project_arguments::ProjectArguments;
 use super::values::FigureNumber;
 use std::path::PathBuf;
 
@@ -42,6 +43,8 @@ pub enum Subcommand {
     Invariants(InvariantsArguments),
     /// Divides an outline between four marks by an orthogonal grid, the image of a rectangle's under the conformal map.
     Grid(GridArguments),
+    /// Maps a region of the sphere, such as a country, conformally into the plane with the least variation of scale.
+    Project(ProjectArguments),
     /// Writes the map between two outlines, and its inverse, as rational functions: as numbers or as code.
     Formula(Box<FormulaArguments>),
     /// Reproduces a figure of the paper: a drawing and a table of its numbers.

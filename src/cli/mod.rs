@@ -1,5 +1,5 @@
 //! The command line: `riemap map`, `flatten`, `render`, `animate`, `link`, `prepare`, `invariants`, `grid`,
-//! `formula`, `figure`, `bench`, `accuracy`; headless and native only.
+//! `project`, `formula`, `figure`, `bench`, `accuracy`; headless and native only.
 //!
 //! Exit status: 0, 1 for bad input (one line on stderr), 2 for bad usage. Files
 //! are written whole or not at all.
@@ -36,6 +36,8 @@ mod pins;
 mod points;
 mod prepare;
 mod progress;
+mod project;
+mod project_arguments;
 mod render;
 mod side;
 mod surface_picture;
@@ -74,6 +76,7 @@ pub fn silence_display(command: &Subcommand) {
             | Subcommand::Prepare(_)
             | Subcommand::Invariants(_)
             | Subcommand::Grid(_)
+            | Subcommand::Project(_)
             | Subcommand::Formula(_)
             | Subcommand::Bench(_)
             | Subcommand::Accuracy(_)
@@ -95,6 +98,7 @@ pub fn run(command: &Subcommand) -> ExitCode {
         Subcommand::Prepare(arguments) => prepare::run(arguments),
         Subcommand::Invariants(arguments) => invariants::run(arguments),
         Subcommand::Grid(arguments) => grid::run(arguments),
+        Subcommand::Project(arguments) => project::run(arguments),
         Subcommand::Formula(arguments) => formula::run(arguments),
         Subcommand::Figure(arguments) => figure::run(arguments),
         Subcommand::Bench(arguments) => bench::run(arguments),

@@ -2,7 +2,7 @@
 //!
 //! `flattened`: surfaces with texture coordinates; `glb`: as a self-contained glTF file. `numbers`: tables and meshes of maps between any two sides.
 //! `formula`: maps as rational functions, in numbers and code. `drawing`: vector graphics of the planar parts of a map,
-//! with the pattern lines of `ruling`; `grid`: orthogonal grids; `hatching`: what a map does not cover.
+//! with the pattern lines of `ruling`; `grid`: orthogonal grids; `projection`: map projections; `hatching`: what a map does not cover.
 
 mod drawing;
 mod flattened;
@@ -13,6 +13,7 @@ mod grid;
 mod hatching;
 mod numbers;
 mod polylines;
+mod projection;
 mod ruling;
 
 pub use drawing::{Panel, Part, Wire, panels, parts, svg};
@@ -24,4 +25,5 @@ pub use grid::GridFormat;
 pub use hatching::{hatched, hatching};
 pub use numbers::{boundary_csv, mapped_obj};
 pub use polylines::Line;
+pub use projection::ProjectionFormat;
 pub use ruling::Ruling;

@@ -25,8 +25,8 @@ pub use flatten::flattened;
 pub use interpretation::{CurveForm, CurveSource, Interpretation, Interpreted, LEAST_SMOOTH, OutlineCurve};
 #[cfg(feature = "io")]
 pub use parse::{
-    GeoJsonFault, JsonFault, JsonKind, MAX_BYTES, OutlineError, PointFault, SvgFault, parse, parse_points,
-    parse_repaired,
+    GeoJsonFault, GeoRing, JsonFault, JsonKind, MAX_BYTES, OutlineError, PointFault, SvgFault, parse, parse_geo_rings,
+    parse_points, parse_repaired,
 };
 pub use preset::{Preset, UnknownPreset};
 pub use sampling::{BoundaryPoint, BoundarySamples, BrokenSamples, MAX_SAMPLES, Sampling, SamplingError, sample};

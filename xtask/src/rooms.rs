@@ -23,6 +23,7 @@ const ROOMS: &[Row] = &[
     ("outline", &["counted", "geometry", "exact"]),
     ("mesh", &["counted", "geometry"]),
     ("drawing", &["counted", "geometry", "outline"]),
+    ("projection", &["geometry", "mesh"]),
     ("surface", &["counted", "geometry", "mesh", "outline"]),
     ("laplace", &["counted", "geometry", "mesh"]),
     ("zipper", &["geometry", "exact", "outline"]),
@@ -34,7 +35,7 @@ const ROOMS: &[Row] = &[
     ("session", &["counted", "geometry", "outline", "mesh", "surface", "laplace", "conformal"]),
     ("closed_form", &["geometry", "exact", "outline", "conformal", "session"]),
     ("family", &["geometry", "mesh", "outline", "conformal"]),
-    ("export", &["geometry", "mesh", "outline", "surface", "conformal", "rational"]),
+    ("export", &["geometry", "mesh", "outline", "projection", "surface", "conformal", "rational"]),
     (
         "figures",
         &[
@@ -118,6 +119,7 @@ const ROOMS: &[Row] = &[
             "geometry",
             "boundary_integral",
             "outline",
+            "projection",
             "mesh",
             "surface",
             "laplace",

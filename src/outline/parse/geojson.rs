@@ -20,6 +20,29 @@ struct Collected<'a> {
     names: Vec<Option<&'a str>>,
 }
 
+/// The outer ring of one polygon of a `GeoJSON` file.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct GeoRing {
+    /// The `properties.name` of the feature around it.
+    pub name: Option<String>,
+    /// Longitude and latitude as in the file, without the last point, which repeats the first.
+    pub points: Vec<DVec2>,
+    /// The number of holes of its polygon.
+    pub holes: usize,
+}
+
+/// The outer rings of all polygons, in the file's order; at least one.
+pub(super) fn rings(value: &Value) -> Result<Vec<GeoRing>, OutlineError> {
+    let mut found = Collected::default();
+    collect(value, None, &mut found)?;
+    if found.outer_rings.is_empty() {
+        return Err(OutlineError::NoPolygon { kind: text(value, "type").map(str::to_owned) });
+    }
+    let of = found.outer_rings.into_iter().zip(found.holes).zip(found.names);
+    Ok(of.map(|((points, holes), name)| GeoRing { name: name.map(str::to_owned), points, holes }).collect())
+}
+
 pub(super) fn read(value: &Value) -> Result<Ring, OutlineError> {
     let mut found = Collected::default();
     collect(value, None, &mut found)?;

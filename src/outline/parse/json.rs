@@ -23,6 +23,12 @@ pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
     }
 }
 
+/// The outer rings of a `GeoJSON` text.
+pub(super) fn read_geo_rings(text: &str) -> Result<Vec<geojson::GeoRing>, OutlineError> {
+    let value: Value = serde_json::from_str(text).map_err(|e| syntax_error(&e))?;
+    geojson::rings(&value)
+}
+
 fn syntax_error(error: &serde_json::Error) -> OutlineError {
     let (line, column) = (error.line(), error.column());
     let message = error.to_string();

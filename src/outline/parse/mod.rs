@@ -21,6 +21,7 @@ use super::{CurveForm, CurveSource, Outline, OutlineNote, Segment, flattened};
 use crate::geometry::{DVec2, SimplePolygon};
 pub use error::OutlineError;
 pub use fault::{GeoJsonFault, JsonFault, JsonKind, PointFault, SvgFault};
+pub use geojson::GeoRing;
 use ring::Ring;
 
 /// The largest accepted file size.
@@ -76,6 +77,12 @@ pub fn parse_repaired(file_name: &str, bytes: &[u8]) -> Result<Outline, OutlineE
 /// their number is limited by [`MAX_BYTES`] only.
 pub fn parse_points(bytes: &[u8]) -> Result<Vec<DVec2>, OutlineError> {
     table::points(text(bytes)?)
+}
+
+/// Reads the outer rings of all polygons of a `GeoJSON` file (RFC 7946), in its order and with its numbers: nothing is
+/// projected, closed, reversed or checked but the structure. Holes are counted and left out.
+pub fn parse_geo_rings(bytes: &[u8]) -> Result<Vec<GeoRing>, OutlineError> {
+    json::read_geo_rings(text(bytes)?)
 }
 
 /// The file as text, which is not blank.

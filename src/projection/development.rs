@@ -1,0 +1,163 @@
+//! f by integration of f′ = exp Φ over a mesh: along a tree of its edges, and from a vertex to any point beside it.
+//!
+//! Where the path goes does not matter, since Φ is analytic; edges are short compared to the distance of the poles, so
+//! that Gauss's rule of [`NODES`] points leaves rounding errors only.
+
+use super::log_metric;
+use super::potential::{Fitted, Potential};
+use super::region::Region;
+use crate::geometry::{DVec2, gauss_legendre};
+use crate::mesh::{MeshError, Sizing, TriMesh, TriangleId, mesh_domain};
+use num_complex::Complex64;
+use rayon::prelude::*;
+use std::collections::VecDeque;
+
+/// The number of nodes on an edge.
+const NODES: usize = 6;
+
+/// The growth of triangles with the distance from the boundary: lines of equal scale are then smooth in a picture.
+const GROWTH: f64 = 0.03;
+
+/// The step at which the search for the least scale ends, in distances from the boundary: the scale is quadratic there.
+const SETTLED: f64 = 1e-8;
+
+/// f, on a mesh.
+#[derive(Debug, Clone)]
+pub struct Development {
+    mesh: TriMesh,
+    potential: Potential,
+    residual: f64,
+    /// log k at the vertices.
+    logs: Vec<f64>,
+    images: Vec<DVec2>,
+    rule: Vec<(f64, f64)>,
+}
+
+impl Development {
+    pub fn new(region: &Region, fitted: Fitted) -> Result<Self, MeshError> {
+        let Fitted { potential, residual } = fitted;
+        let (mesh, _) = mesh_domain(region.polygon().vertices(), Sizing::Graded(GROWTH))?;
+        let log = |&z: &DVec2| potential.value(z).re - log_metric(z);
+        let logs: Vec<f64> = mesh.vertices().par_iter().map(log).collect();
+        let rule = gauss_legendre(NODES);
+        let mut development = Self { mesh, potential, residual, logs, images: Vec::new(), rule };
+        development.images = development.integrated();
+        Ok(development)
+    }
+
+    /// The images of the vertices, from that of vertex 0 at the origin.
+    fn integrated(&self) -> Vec<DVec2> {
+        let tree = tree(&self.mesh);
+        let vertices = self.mesh.vertices();
+        let along = |&[from, to]: &[u32; 2]| self.integral(vertices[from as usize], vertices[to as usize]);
+        let steps: Vec<DVec2> = tree.par_iter().map(along).collect();
+        let mut images = vec![DVec2::ZERO; vertices.len()];
+        for ([from, to], step) in tree.into_iter().zip(steps) {
+            images[to as usize] = images[from as usize] + step;
+        }
+        images
+    }
+
+    /// ∫ f′ dz along a segment, twice the radius of the sphere being 1 in `log_metric`.
+    fn integral(&self, a: DVec2, b: DVec2) -> DVec2 {
+        let (middle, half) = (a.midpoint(b), 0.5 * (b - a));
+        let term = |&(x, weight): &(f64, f64)| weight * self.potential.value(middle + x * half).exp();
+        let sum: Complex64 = self.rule.iter().map(term).sum();
+        let product = 2.0 * sum * Complex64::new(half.x, half.y);
+        DVec2::new(product.re, product.im)
+    }
+
+    /// Moves the image such that that of `origin` is 0, and turns it such that the direction `up` there becomes that of y.
+    #[must_use]
+    pub fn placed(mut self, origin: DVec2, up: DVec2) -> Self {
+        let turned = self.potential.value(origin).im + up.to_angle();
+        let turn = std::f64::consts::FRAC_PI_2 - turned;
+        self.potential = self.potential.plus(Complex64::new(0.0, turn));
+        let rotation = DVec2::from_angle(turn);
+        self.images.iter_mut().for_each(|p| *p = rotation.rotate(*p));
+        let at = crate::mesh::locate(&self.mesh, origin, None);
+        let middle = at.map_or(DVec2::ZERO, |at| self.image(origin, at.triangle()));
+        self.images.iter_mut().for_each(|p| *p -= middle);
+        self
+    }
+
+    /// The image of a point of this triangle.
+    pub fn image(&self, z: DVec2, triangle: TriangleId) -> DVec2 {
+        let places = self.mesh.corner_places(triangle);
+        let corners = self.mesh.corners(triangle);
+        let nearest = (1..3).fold(0, |best, k| if places[k].distance(z) < places[best].distance(z) { k } else { best });
+        self.images[corners[nearest].index()] + self.integral(places[nearest], z)
+    }
+
+    /// log k at a point.
+    pub fn log_scale(&self, z: DVec2) -> f64 {
+        self.potential.value(z).re - log_metric(z)
+    }
+
+    /// The point of least scale and log k there: the least vertex, and a compass search from it.
+    pub fn least(&self, region: &Region) -> (DVec2, f64) {
+        let start = (0..self.logs.len()).fold(0, |best, k| if self.logs[k] < self.logs[best] { k } else { best });
+        let mut best = (self.mesh.vertices()[start], self.logs[start]);
+        let room = region.signed_distance(best.0);
+        let mut step = 0.3 * room;
+        while step > SETTLED * room {
+            let moved = [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y].map(|d| best.0 + step * d);
+            let better = moved.map(|z| (z, self.log_scale(z))).into_iter().min_by(|a, b| a.1.total_cmp(&b.1));
+            match better.filter(|&(z, log)| log < best.1 && region.signed_distance(z) > 0.0) {
+                Some(found) => best = found,
+                None => step *= 0.5,
+            }
+        }
+        best
+    }
+
+    /// The largest log k at boundary vertices.
+    pub fn most(&self) -> f64 {
+        self.logs[..self.mesh.boundary_count() as usize].iter().copied().fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The largest deviation of log k from 0 on the boundary.
+    pub fn residual(&self) -> f64 {
+        let of_vertices = self.logs[..self.mesh.boundary_count() as usize].iter().map(|log| log.abs());
+        of_vertices.fold(self.residual, f64::max)
+    }
+
+    pub fn mesh(&self) -> &TriMesh {
+        &self.mesh
+    }
+
+    pub fn images(&self) -> &[DVec2] {
+        &self.images
+    }
+
+    pub fn logs(&self) -> &[f64] {
+        &self.logs
+    }
+
+    pub fn boundary_images(&self) -> &[DVec2] {
+        &self.images[..self.mesh.boundary_count() as usize]
+    }
+}
+
+/// Edges from a vertex that is reached to one that is not, until all are reached from vertex 0.
+fn tree(mesh: &TriMesh) -> Vec<[u32; 2]> {
+    let mut around: Vec<Vec<u32>> = vec![Vec::new(); mesh.vertices().len()];
+    for &[a, b, c] in mesh.triangles() {
+        for (from, to) in [(a, b), (b, c), (c, a), (b, a), (c, b), (a, c)] {
+            around[from as usize].push(to);
+        }
+    }
+    let mut reached = vec![false; around.len()];
+    reached[0] = true;
+    let mut edges = Vec::with_capacity(around.len());
+    let mut queue = VecDeque::from([0]);
+    while let Some(from) = queue.pop_front() {
+        for &to in &around[from as usize] {
+            if !std::mem::replace(&mut reached[to as usize], true) {
+                edges.push([from, to]);
+                queue.push_back(to);
+            }
+        }
+    }
+    edges
+}
