@@ -93,7 +93,7 @@ impl Model {
             self.open_surface(side, session.surface(side).cloned());
         }
         self.pinned.expect(session.pins().cloned());
-        self.map_error = None;
+        self.under_way.error = None;
         self.changed.points = true;
     }
 
@@ -174,7 +174,7 @@ impl Model {
     pub fn dismiss(&mut self, side: Side) {
         self.sides[side].surface.preparation.dismiss();
         self.side_mut(side).error = None;
-        self.map_error = self.map_error.take().filter(|(at, _)| *at != side);
+        self.under_way.error = self.under_way.error.take().filter(|(at, _)| *at != side);
         self.pinned.dismiss(side);
     }
 

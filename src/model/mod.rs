@@ -141,8 +141,6 @@ pub struct Model {
     overlay_state: OverlayState,
     refines: Refines,
     pub(super) update_ms: f64,
-    /// The map's error about a constraint that it rejected.
-    map_error: Option<(Side, Message)>,
     pinned: Pinned,
     changed: Changed,
     /// The opened files that wait for those before them.
@@ -173,7 +171,6 @@ impl Model {
             overlay_state: OverlayState::default(),
             refines: Refines::InRefresh,
             update_ms: UPDATE_MS,
-            map_error: None,
             pinned,
             changed: Changed::default(),
             queue: FileQueue::default(),
@@ -317,7 +314,7 @@ impl Model {
 
     /// The error about a constraint that the map rejected, or about the pins.
     pub fn map_error(&self) -> Option<(Side, &Message)> {
-        self.map_error.as_ref().or(self.pinned.error()).map(|(side, message)| (*side, message))
+        self.under_way.error.as_ref().or(self.pinned.error()).map(|(side, message)| (*side, message))
     }
 
     /// Whether a side shows a new outline since the last call, so that its viewport has to fit it.

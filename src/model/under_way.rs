@@ -1,6 +1,7 @@
 //! The map update in progress: the constraints that were requested, and those that it is computed for.
 
-use crate::conformal::{ConformalMap, Constraints};
+use crate::conformal::{ConformalMap, Constraints, Side};
+use crate::language::Message;
 
 /// The state of the full map's update.
 ///
@@ -17,6 +18,8 @@ pub struct MapUnderWay {
     held: Option<Asked>,
     /// The number of successive frames that were too short for an update.
     pub unfinished: u32,
+    /// Why the last update rejected a constraint, and on which side.
+    pub error: Option<(Side, Message)>,
     /// Whether a point moves, so that requests that depend on its place wait.
     pub is_moving: bool,
 }

@@ -117,7 +117,7 @@ impl Model {
             }
             self.pinned.note_good(self.session.pins());
         }
-        self.map_error = None;
+        self.under_way.error = None;
         let (meshes, map) = (replaced || retired || turned, replaced || retired || renewed);
         Changes { meshes, map, images: map }
     }
@@ -133,7 +133,7 @@ impl Model {
         } else if !self.has_stand_in() {
             self.begin_at_the_default_point(error.side());
         }
-        self.map_error = Some((error.side(), Message::from(error)));
+        self.under_way.error = Some((error.side(), Message::from(error)));
         let meshes = self.coarse.retire();
         Changes { meshes, map: meshes, images: meshes }
     }

@@ -44,31 +44,34 @@ pub fn show(ui: &mut Ui, sketch: &Sketch, most: f32) {
         turns = [turns[0] + moved.x, (turns[1] + moved.y).clamp(-1.5, 1.5)];
         ui.data_mut(|data| data.insert_temp(response.id, turns));
     }
-    paint(ui, sketch, rect, turns);
-    caption(ui, &words, rect);
+    let above = caption(ui, &words, rect);
+    paint(ui, sketch, rect, above, turns);
     response.on_hover_cursor(CursorIcon::Grab).on_hover_text(words);
 }
 
-fn paint(ui: &Ui, sketch: &Sketch, rect: Rect, turns: [f32; 2]) {
+/// Draws the surface in the part `above` the words.
+fn paint(ui: &Ui, sketch: &Sketch, rect: Rect, above: Rect, turns: [f32; 2]) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(rect);
-    painter.rect_filled(rect, CornerRadius::same(ROUNDING), palette.canvas);
-    let at = projection(sketch, rect, turns);
+    let at = projection(sketch, above, turns);
     let line = Stroke::new(1.0, palette.text.gamma_multiply(0.25));
     painter.extend(sketch.triangles.iter().map(|corners| Shape::closed_line(corners.map(&at).to_vec(), line)));
     marks(&painter, sketch, palette.error_edge, &at);
     painter.rect_stroke(rect, CornerRadius::same(ROUNDING), Stroke::new(1.0, palette.border), StrokeKind::Inside);
 }
 
-/// Says at the lower edge what is red.
-fn caption(ui: &Ui, words: &str, rect: Rect) {
+/// Paints the ground and says at its lower edge what is red, where there is room; returns the part above.
+fn caption(ui: &Ui, words: &str, rect: Rect) -> Rect {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(rect);
+    painter.rect_filled(rect, CornerRadius::same(ROUNDING), palette.canvas);
     let galley = painter.layout(words.to_owned(), caption_font(ui), palette.weak, rect.width() - 2.0 * INSET);
-    let place = rect.left_bottom() + vec2(INSET, -INSET - galley.size().y);
-    let ground = Rect::from_min_size(place, galley.size()).expand(2.0);
-    painter.rect_filled(ground, CornerRadius::ZERO, palette.canvas.gamma_multiply(0.8));
-    painter.galley(place, galley, palette.weak);
+    let above = rect.with_max_y(rect.bottom() - galley.size().y - 2.0 * INSET);
+    if above.height() < LEAST {
+        return rect; // the words are in the tooltip
+    }
+    painter.galley(above.left_bottom() + vec2(INSET, INSET), galley, palette.weak);
+    above
 }
 
 fn marks(painter: &Painter, sketch: &Sketch, ink: Color32, at: &impl Fn(Place) -> Pos2) {
