@@ -66,6 +66,10 @@ struct Report {
     /// The share of the region in the area of all.
     share: f64,
     holes_filled: usize,
+    /// The largest |log k| on the boundary, where a constant scale has 0.
+    residual: f64,
+    /// Whether the map is the best stereographic projection, which varies less than the one that was fitted.
+    is_stereographic: bool,
     /// Whether the map overlaps itself.
     overlaps: bool,
     /// Longitude and latitude of a boundary point where the image meets itself.
@@ -91,7 +95,9 @@ impl Report {
             rings: selection.rings.clone(),
             rings_left_out: selection.left_out,
             share: selection.share,
-            holes_filled: taken.iter().map(|ring| ring.holes).sum(),
+            holes_filled: selection.holes + taken.iter().map(|ring| ring.holes).sum::<usize>(),
+            residual: projection.residual(),
+            is_stereographic: projection.is_stereographic(),
             overlaps: projection.overlap().is_some(),
             overlap_at: projection.overlap().map(|at| at.to_array()),
         }
@@ -110,6 +116,11 @@ impl Report {
         }
         if *holes > 0 {
             eprintln!("riemap: {path}: {}", counted!(*holes, "A hole was filled.", "{holes} holes were filled."));
+        }
+        if self.is_stereographic {
+            eprintln!(
+                "riemap: {path}: The best stereographic projection was taken: the map that was fitted to a constant scale along the boundary varies more."
+            );
         }
         if let Some([longitude, latitude]) = self.overlap_at {
             eprintln!(

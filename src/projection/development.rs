@@ -18,6 +18,10 @@ const NODES: usize = 6;
 /// The growth of triangles with the distance from the boundary: lines of equal scale are then smooth in a picture.
 const GROWTH: f64 = 0.03;
 
+/// Boundaries with more than this many points times the growth get coarser triangles, up to the largest growth.
+const FINE_BOUNDARY: f64 = 3e5;
+const MOST_GROWTH: f64 = 0.5;
+
 /// The step at which the search for the least scale ends, in distances from the boundary: the scale is quadratic there.
 const SETTLED: f64 = 1e-8;
 
@@ -36,7 +40,9 @@ pub struct Development {
 impl Development {
     pub fn new(region: &Region, fitted: Fitted) -> Result<Self, MeshError> {
         let Fitted { potential, residual } = fitted;
-        let (mesh, _) = mesh_domain(region.polygon().vertices(), Sizing::Graded(GROWTH))?;
+        let boundary = region.polygon().vertices();
+        let growth = (boundary.len() as f64 / FINE_BOUNDARY).clamp(GROWTH, MOST_GROWTH);
+        let (mesh, _) = mesh_domain(boundary, Sizing::Graded(growth))?;
         let log = |&z: &DVec2| potential.value(z).re - log_metric(z);
         let logs: Vec<f64> = mesh.vertices().par_iter().map(log).collect();
         let rule = gauss_legendre(NODES);

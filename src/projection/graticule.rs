@@ -9,6 +9,9 @@ use crate::mesh::TriangleId;
 const STEPS: [f64; 16] =
     [30.0, 15.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.25, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005];
 
+/// The largest number of meridians around the whole sphere.
+const MOST_MERIDIANS: f64 = 36.0;
+
 /// About so many lines cross the region in each direction.
 const LINES: f64 = 7.0;
 
@@ -79,7 +82,10 @@ impl Range {
         let widest = if self.low.y < 0.0 && self.high.y > 0.0 { 0.0 } else { self.low.y.abs().min(self.high.y.abs()) };
         let middle = 0.5 * (widest + self.low.y.abs().max(self.high.y.abs()));
         let meridian = nearest((wanted / middle.to_radians().cos().max(0.05)).clamp(parallel, 30.0));
-        DVec2::new(meridian, parallel)
+        // a small region around a pole has all longitudes
+        let least = (self.high.x - self.low.x) / MOST_MERIDIANS;
+        let coarsest = STEPS.into_iter().rev().find(|&step| step >= least).unwrap_or(STEPS[0]);
+        DVec2::new(meridian.max(coarsest), parallel)
     }
 
     /// Multiples of `step` in [low, high].

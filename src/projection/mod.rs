@@ -60,6 +60,7 @@ pub struct Projection {
     most_log: f64,
     stereographic: Stereographics,
     overlap: Option<DVec2>,
+    is_stereographic: bool,
 }
 
 /// log λ(z) − log 2.
@@ -81,7 +82,7 @@ impl Projection {
             return Ok(fitted);
         }
         let constant = potential::constant(&region, &log_metric);
-        Self::developed(region, stereographic, constant)
+        Ok(Self { is_stereographic: true, ..Self::developed(region, stereographic, constant)? })
     }
 
     fn developed(
@@ -94,7 +95,7 @@ impl Projection {
         let most_log = development.most();
         let development = development.placed(least, region.frame().north_at(least));
         let overlap = overlap(development.boundary_images(), &region);
-        Ok(Self { region, development, least, least_log, most_log, stereographic, overlap })
+        Ok(Self { region, development, least, least_log, most_log, stereographic, overlap, is_stereographic: false })
     }
 
     /// The region.
@@ -111,6 +112,11 @@ impl Projection {
     /// from that of the map of least distortion, and the logarithm of [`Self::scale_ratio`] by at most twice as much.
     pub fn residual(&self) -> f64 {
         self.development.residual()
+    }
+
+    /// Whether the map is the best stereographic projection, because the one that was fitted varies more.
+    pub fn is_stereographic(&self) -> bool {
+        self.is_stereographic
     }
 
     /// The stereographic projection whose scale varies least over the region.

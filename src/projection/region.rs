@@ -27,6 +27,9 @@ const COARSE: f64 = 1.0;
 /// The length in degrees up to which the deviation in the middle of an edge stands for all of it.
 const LONGEST: f64 = 5.0;
 
+/// The largest length of a chord, in extents of the region: the mesh is as fine along straight edges.
+const LONGEST_CHORD: f64 = 0.04;
+
 /// The deepest bisection of an edge.
 const DEEPEST: u32 = 14;
 
@@ -39,9 +42,11 @@ const DIRECTIONS: u32 = 2000;
 pub struct Selection {
     /// The rings that the region is made of, counted from 1: one, or several that a cut along the antimeridian divided.
     pub rings: Vec<usize>,
-    /// The number of other boundaries, which were left out.
+    /// The number of other regions, which were left out.
     pub left_out: usize,
-    /// The share of the region in the area of all boundaries, each with what it encloses.
+    /// The number of holes of the region that were filled: boundaries that appeared where its parts were joined.
+    pub holes: usize,
+    /// The share of the region in the area of all regions, each with its holes.
     pub share: f64,
 }
 
@@ -132,17 +137,48 @@ impl Region {
     }
 }
 
-/// The boundary with the largest area.
+/// The outer boundary of the largest region, holes filled.
 fn select(rings: Vec<Vec<Edge>>) -> Option<(Vec<Edge>, f64, Selection)> {
-    let areas: Vec<f64> = rings.iter().map(|ring| ring::area(ring)).collect();
-    let total: f64 = areas.iter().sum();
-    let best = (0..areas.len()).rev().max_by(|&i, &j| areas[i].total_cmp(&areas[j]))?;
-    let (left_out, area) = (rings.len() - 1, areas[best]);
-    let ring = rings.into_iter().nth(best)?;
-    let mut numbers: Vec<usize> = ring.iter().map(|edge| edge.place.ring).collect();
-    numbers.sort_unstable();
-    numbers.dedup();
-    (area > 0.0).then_some((ring, area, Selection { rings: numbers, left_out, share: area / total }))
+    let mut regions: Vec<Joined> = Vec::new();
+    for ring in rings {
+        let mut numbers: Vec<usize> = ring.iter().map(|edge| edge.place.ring).collect();
+        numbers.sort_unstable();
+        numbers.dedup();
+        let joined = Joined { area: ring::area(&ring), outer: ring, numbers, holes: 0 };
+        // boundaries with parts of one ring of the file are those of one region
+        let is_same = |other: &mut Joined| other.numbers.iter().any(|n| joined.numbers.contains(n));
+        let same: Vec<Joined> = regions.extract_if(.., is_same).collect();
+        let joined = same.into_iter().fold(joined, Joined::with);
+        regions.push(joined);
+    }
+    let total: f64 = regions.iter().map(|region| region.area).sum();
+    let left_out = regions.len().checked_sub(1)?;
+    let Joined { outer, area, numbers, holes } =
+        regions.into_iter().reduce(|a, b| if b.area > a.area { b } else { a })?;
+    (area > 0.0).then_some((outer, area, Selection { rings: numbers, left_out, holes, share: area / total }))
+}
+
+/// A region whose parts were joined: its outer boundary, with everything else on the left of which its holes lie.
+struct Joined {
+    outer: Vec<Edge>,
+    /// The area on the left of the outer boundary.
+    area: f64,
+    /// The rings of the file, ascending.
+    numbers: Vec<usize>,
+    holes: usize,
+}
+
+impl Joined {
+    /// One region with both boundaries. On the left of a hole's lies all but the hole, which is more than what the outer
+    /// boundary encloses.
+    fn with(self, other: Self) -> Self {
+        let holes = self.holes + other.holes + 1;
+        let mut numbers = [self.numbers, other.numbers].concat();
+        numbers.sort_unstable();
+        numbers.dedup();
+        let (outer, area) = if other.area < self.area { (other.outer, other.area) } else { (self.outer, self.area) };
+        Self { outer, area, numbers, holes }
+    }
 }
 
 /// Stereographic coordinates in which infinity is outside, and not next to the boundary.
@@ -211,7 +247,7 @@ fn divided(edges: &[Edge], frame: Stereographic) -> (Vec<DVec2>, Vec<Place>) {
     (points, shares.iter().map(|(edge, _)| edge.place).collect())
 }
 
-/// Emits shares of an edge from `from` on, without `to`, such that chords are off by `tolerance` in the middle.
+/// Emits shares of an edge from `from` on, without `to`, such that chords are off by `tolerance` in the middle, and short.
 fn bisect(
     edge: &Edge,
     frame: Stereographic,
@@ -222,7 +258,10 @@ fn bisect(
 ) {
     let middle = 0.5 * (from + to);
     let [a, m, b] = [from, middle, to].map(|t| frame.to_plane(edge.at(t)));
-    if depth == 0 || m.distance(a.midpoint(b)) <= tolerance * (1.0 + m.length_squared()) {
+    let scale = 1.0 + m.length_squared();
+    let is_straight = m.distance(a.midpoint(b)) <= tolerance * scale;
+    let is_short = a.distance(b) <= tolerance * scale * (LONGEST_CHORD / CHORD);
+    if depth == 0 || is_straight && is_short {
         return emit(from);
     }
     bisect(edge, frame, [from, middle], tolerance, depth - 1, emit);

@@ -31,6 +31,8 @@ impl fmt::Display for Place {
 pub struct Edge {
     /// Longitude and latitude of its beginning.
     pub from: DVec2,
+    /// Longitude and latitude of its end, as in the file: `from + step` up to whole turns and rounding.
+    pub end: DVec2,
     /// What longitude and latitude grow by.
     pub step: DVec2,
     /// The file's point at its beginning, before it was turned.
@@ -47,11 +49,6 @@ pub fn key(p: DVec2) -> Key {
 }
 
 impl Edge {
-    /// Longitude and latitude of its end.
-    pub fn to(&self) -> DVec2 {
-        self.from + self.step
-    }
-
     /// The point of the sphere after the share `t` of the edge.
     pub fn at(&self, t: f64) -> DVec3 {
         on_sphere(self.lon_lat(t))
@@ -71,11 +68,11 @@ impl Edge {
 
     /// Whether both ends are one point of the sphere, and the edge does not go around it.
     pub fn is_nothing(&self) -> bool {
-        key(self.from) == key(self.to()) && (self.from.y.abs() == 90.0 || self.step.x.abs() < 180.0)
+        key(self.from) == key(self.end) && (self.from.y.abs() == 90.0 || self.step.x.abs() < 180.0)
     }
 
     fn reversed(self) -> Self {
-        Self { from: self.to(), step: -self.step, place: self.place }
+        Self { from: self.end, end: self.from, step: -self.step, place: self.place }
     }
 }
 
@@ -119,7 +116,7 @@ pub fn ring(points: &[DVec2], ring: usize) -> Result<Vec<Edge>, ProjectionError>
         if step.x.abs() > 180.0 && !(reaches_pole && step.x.abs() == 360.0) {
             step.x -= 360.0 * (step.x / 360.0).round();
         }
-        Edge { from, step, place: Place { ring, point: k + 1 } }
+        Edge { from, end: to, step, place: Place { ring, point: k + 1 } }
     };
     let edges: Vec<Edge> = (0..n).map(edge).collect();
     let different = edges.iter().filter(|edge| !edge.is_nothing()).count();

@@ -33,7 +33,7 @@ fn is_on_seam(edge: &Edge) -> bool {
 /// The latitudes of the ends of edges along the antimeridian, ascending.
 fn latitudes_on_seam(rings: &[Vec<Edge>]) -> Vec<f64> {
     let on_seam = rings.iter().flatten().filter(|edge| is_on_seam(edge));
-    let mut latitudes: Vec<f64> = on_seam.flat_map(|edge| [edge.from.y, edge.to().y]).collect();
+    let mut latitudes: Vec<f64> = on_seam.flat_map(|edge| [edge.from.y, edge.end.y]).collect();
     latitudes.sort_by(f64::total_cmp);
     latitudes.dedup();
     latitudes
@@ -47,13 +47,16 @@ fn divided(ring: &[Edge], latitudes: &[f64]) -> Vec<Edge> {
             edges.push(*edge);
             continue;
         }
-        let (low, high) = (edge.from.y.min(edge.to().y), edge.from.y.max(edge.to().y));
-        let mut stops: Vec<f64> = latitudes.iter().copied().filter(|&stop| low <= stop && stop <= high).collect();
+        let (low, high) = (edge.from.y.min(edge.end.y), edge.from.y.max(edge.end.y));
+        let [first, last] =
+            [latitudes.partition_point(|&stop| stop < low), latitudes.partition_point(|&stop| stop <= high)];
+        let mut stops = latitudes[first..last].to_vec();
         if edge.step.y < 0.0 {
             stops.reverse();
         }
         let piece = |ends: &[f64]| Edge {
             from: DVec2::new(edge.from.x, ends[0]),
+            end: DVec2::new(edge.from.x, ends[1]),
             step: DVec2::new(0.0, ends[1] - ends[0]),
             place: edge.place,
         };
@@ -77,7 +80,7 @@ impl Walk {
         self.used = vec![false; self.edges.len()];
         let mut waiting: BTreeMap<[u64; 2], Vec<usize>> = BTreeMap::new();
         for (k, edge) in self.edges.iter().enumerate().filter(|(_, edge)| is_on_seam(edge)) {
-            let [from, to] = [key(edge.from)[1], key(edge.to())[1]];
+            let [from, to] = [key(edge.from)[1], key(edge.end)[1]];
             if let Some(opposite) = waiting.get_mut(&[to, from]).and_then(Vec::pop) {
                 (self.used[k], self.used[opposite]) = (true, true);
             } else {
@@ -114,7 +117,7 @@ impl Walk {
         if !self.used[own] {
             return Some(own);
         }
-        let end = key(self.edges[k].to());
+        let end = key(self.edges[k].end);
         if end == key(self.edges[start].from) {
             return None;
         }
@@ -124,7 +127,8 @@ impl Walk {
 
 /// Removes edges that the next one goes back.
 fn without_spikes(ring: Vec<Edge>) -> Vec<Edge> {
-    let is_back = |a: &Edge, b: &Edge| key(a.from) == key(b.to()) && a.step == -b.step;
+    // the same two points may also be joined the other way around the sphere
+    let is_back = |a: &Edge, b: &Edge| key(a.from) == key(b.end) && (a.step + b.step).abs().max_element() < 1e-9;
     let mut kept: Vec<Edge> = Vec::with_capacity(ring.len());
     for edge in ring {
         if kept.last().is_some_and(|last| is_back(last, &edge)) {

@@ -129,3 +129,65 @@ fn scale_of_the_map_is_that_of_the_images() {
     let found: f64 = length(projection.boundary());
     assert!((found / expected - 1.0).abs() < 2.0 * projection.residual() + 1e-5, "{found} and {expected}");
 }
+
+/// Latitudes whose sums and differences round.
+#[test]
+fn cuts_are_joined_at_any_latitude() {
+    for [low, high] in [[-4.14, 8.1], [2.17, 28.17], [-0.1, 0.7], [-9.99, 1.01]] {
+        let east = [[170.0, low], [180.0, low], [180.0, high], [170.0, high]];
+        let mut west = [[-180.0, low], [-170.3, low], [-170.3, high], [180.0, high]];
+        let expected = rectangle_area(19.7, [low, high]);
+        assert_near(area(&[&east, &west]), expected, "both counter-clockwise");
+        west.reverse();
+        assert_near(area(&[&east, &west]), expected, "one clockwise");
+    }
+    let cap = [[-180.0, -31.7], [180.0, -31.7], [180.0, 90.0], [-180.0, 90.0]];
+    assert_near(area(&[&cap]), 2.0 * PI * (1.0 + 31.7_f64.to_radians().sin()), "cut from the pole");
+}
+
+#[test]
+fn a_hole_between_joined_parts_is_filled() {
+    // around a lake on the antimeridian
+    let east = [
+        [170.0, -20.0],
+        [180.0, -20.0],
+        [180.0, -4.0],
+        [178.0, -4.0],
+        [178.0, 4.0],
+        [180.0, 4.0],
+        [180.0, 20.0],
+        [170.0, 20.0],
+    ];
+    let west = east.map(|[x, y]| [-x, y]);
+    let region = Region::new(&rings(&[&east, &west])).unwrap();
+    assert_near(region.area(), rectangle_area(20.0, [-20.0, 20.0]), "filled");
+    assert_eq!((region.selection().holes, region.selection().left_out, region.selection().share), (1, 0, 1.0));
+    // a band around the pole
+    let parallel = |latitude: f64| (0..=36).map(move |k| [-180.0 + 10.0 * f64::from(k), latitude]);
+    let band: Vec<[f64; 2]> = parallel(60.0).chain(parallel(70.0).rev()).collect();
+    assert_near(area(&[&band]), 2.0 * PI * (1.0 - 60.0_f64.to_radians().sin()), "band");
+}
+
+#[test]
+fn small_regions_with_few_corners_have_a_mesh() {
+    for corners in
+        [&[[10.0, 0.0], [10.1, 0.0], [10.05, 0.08]][..], &[[10.0, 50.0], [10.1, 50.0], [10.1, 50.1], [10.0, 50.1]]]
+    {
+        let projection = Projection::new(Region::new(&rings(&[corners])).unwrap()).unwrap();
+        assert!(projection.mesh().vertices().len() > 100);
+        let ratio = projection.scale_ratio() - 1.0;
+        // of the order of the squared radius, in radians
+        assert!(ratio > 1e-8 && ratio < 1e-6, "{ratio:e}");
+        let at = projection.least_scale_at();
+        assert!(projection.region().contains(on_sphere(at)), "{at}");
+    }
+}
+
+#[test]
+fn a_small_cap_around_a_pole_has_few_meridians() {
+    let ring: Vec<[f64; 2]> = (0..200).map(|k| [-180.0 + 1.8 * f64::from(k), 89.95]).collect();
+    let projection = Projection::new(Region::new(&rings(&[&ring])).unwrap()).unwrap();
+    let graticule = projection.graticule();
+    assert!(graticule.meridians.len() <= 80, "{}", graticule.meridians.len());
+    assert!(projection.lattice().len() < 100_000);
+}
