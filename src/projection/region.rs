@@ -238,7 +238,7 @@ fn divided(edges: &[Edge], frame: Stereographic) -> (Vec<DVec2>, Vec<Place>) {
         let starts: Vec<f64> = coarse(edge, LONGEST).map(|(_, t)| t).collect();
         for (k, &start) in starts.iter().enumerate() {
             let end = starts.get(k + 1).copied().unwrap_or(1.0);
-            bisect(edge, frame, [start, end], CHORD * extent, DEEPEST, &mut |t| shares.push((edge, t)));
+            bisect(edge, frame, [start, end], extent, DEEPEST, &mut |t| shares.push((edge, t)));
         }
     }
     let is_normal = |p: DVec2| -180.0 < p.x && p.x <= 180.0;
@@ -247,25 +247,19 @@ fn divided(edges: &[Edge], frame: Stereographic) -> (Vec<DVec2>, Vec<Place>) {
     (points, shares.iter().map(|(edge, _)| edge.place).collect())
 }
 
-/// Emits shares of an edge from `from` on, without `to`, such that chords are off by `tolerance` in the middle, and short.
-fn bisect(
-    edge: &Edge,
-    frame: Stereographic,
-    [from, to]: [f64; 2],
-    tolerance: f64,
-    depth: u32,
-    emit: &mut dyn FnMut(f64),
-) {
+/// Emits shares of an edge from `from` on, without `to`, such that chords are short, and edges off by little: by
+/// [`LONGEST_CHORD`] and [`CHORD`] of `extent`.
+fn bisect(edge: &Edge, frame: Stereographic, [from, to]: [f64; 2], extent: f64, depth: u32, emit: &mut dyn FnMut(f64)) {
     let middle = 0.5 * (from + to);
     let [a, m, b] = [from, middle, to].map(|t| frame.to_plane(edge.at(t)));
-    let scale = 1.0 + m.length_squared();
-    let is_straight = m.distance(a.midpoint(b)) <= tolerance * scale;
-    let is_short = a.distance(b) <= tolerance * scale * (LONGEST_CHORD / CHORD);
+    let scale = extent * (1.0 + m.length_squared());
+    let is_straight = m.distance(a.midpoint(b)) <= CHORD * scale;
+    let is_short = a.distance(b) <= LONGEST_CHORD * scale;
     if depth == 0 || is_straight && is_short {
         return emit(from);
     }
-    bisect(edge, frame, [from, middle], tolerance, depth - 1, emit);
-    bisect(edge, frame, [middle, to], tolerance, depth - 1, emit);
+    bisect(edge, frame, [from, middle], extent, depth - 1, emit);
+    bisect(edge, frame, [middle, to], extent, depth - 1, emit);
 }
 
 /// The polygon's error with its place on the sphere and in the file.

@@ -2,6 +2,7 @@
 
 use super::{PinError, Pins};
 use crate::conformal::{ConformalMap, PerSide, Side};
+use crate::outline::BoundaryPoint;
 
 impl ConformalMap {
     /// The image of a boundary point of the side `from`, whichever mesh is mapped. Both are fractions of the length of
@@ -13,8 +14,13 @@ impl ConformalMap {
         if let (Some(curves), Some(there), Some(here)) = (self.curve_map(from), boundary(onto), boundary(from)) {
             return there.fraction(curves.image(here.at_fraction(fraction)));
         }
+        self.side(onto).fraction_at(self.image_by_samples(from, fraction))
+    }
+
+    /// [`Self::boundary_image`] by the measures at the samples, as a point between these.
+    pub(super) fn image_by_samples(&self, from: Side, fraction: f64) -> BoundaryPoint {
         let omega = self.measure(from).at(self.side(from).at_fraction(fraction));
-        self.side(onto).fraction_at(self.measure(onto).point_at(omega))
+        self.measure(from.other()).point_at(omega)
     }
 }
 

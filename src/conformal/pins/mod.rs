@@ -242,9 +242,9 @@ fn miss(map: &ConformalMap, pair: PerSide<f64>) -> f64 {
             return curve.position(image).distance(curve.position(onto));
         }
     }
-    let [source, target] = Side::BOTH.map(|side| (map.side(side), map.measure(side)));
-    let image = target.1.point_at(source.1.at(source.0.at_fraction(pair.source)));
-    target.0.boundary_place(image).distance(target.0.boundary_place(target.0.at_fraction(pair.target)))
+    let target = map.side(Side::Target);
+    let image = map.image_by_samples(Side::Source, pair.source);
+    target.boundary_place(image).distance(target.boundary_place(target.at_fraction(pair.target)))
 }
 
 /// The largest difference between two lists of measures.
