@@ -5,7 +5,7 @@
 
 use crate::app::RiemapApp;
 use crate::app::language::words;
-use crate::app::panels::{invariants_panel, pins_panel};
+use crate::app::panels::{best_panel, invariants_panel, pins_panel};
 use crate::app::status::pointed;
 use crate::app::viewport::probe;
 use crate::conformal::{PerSide, Side};
@@ -26,6 +26,7 @@ pub fn state(app: &RiemapApp) -> String {
         sentences.push(say(&key::accessible_quality(mean, quality.flipped)));
     }
     sentences.extend(Side::BOTH.into_iter().filter_map(|side| invariants(model, side)));
+    sentences.extend(best(model));
     sentences.extend(app.clicked().as_ref().map(pointed::sentence));
     if !model.is_ready() {
         sentences.push(tr(key::being_prepared()).into());
@@ -70,6 +71,19 @@ fn pins(model: &Model) -> Option<String> {
         say(&key::accessible_pin(pin + 1, from, onto, miss))
     });
     Some(pairs.collect::<Vec<_>>().join(" "))
+}
+
+/// The best map: its search, its result, and the landscape.
+fn best(model: &Model) -> Option<String> {
+    let best = model.best();
+    let search = best.progress().map(|_| String::from(tr(key::best_sought())));
+    let outcome = best.outcome().map(|outcome| say(&key::sentence(best_panel::said(outcome))));
+    let lowest = best
+        .landscape()
+        .and_then(|landscape| landscape.lowest())
+        .map(|(at, value)| say(&key::accessible_landscape(number(at.x, 3), number(at.y, 3), number(value, 3))));
+    let sentences: Vec<String> = search.into_iter().chain(outcome).chain(lowest).collect();
+    (!sentences.is_empty()).then(|| sentences.join(" "))
 }
 
 /// The invariants of a side that are shown.

@@ -6,6 +6,7 @@ use super::{RiemapApp, accessibility, message_bar};
 use crate::conformal::Side;
 use crate::language::{self, Language, Message};
 use crate::model::PointedImage;
+use crate::model::best::Outcome;
 use crate::platform::{self, PageEvent};
 use crate::worker::FoundInvariants;
 
@@ -33,6 +34,8 @@ struct News {
     probe: Option<String>,
     /// What the last formula reached, as the export window says it.
     formula: Vec<(Message, bool)>,
+    /// The result of the last search for the best map.
+    best: Option<Outcome>,
     /// The step of the tour.
     step: Option<usize>,
     /// The language of the description.
@@ -96,6 +99,7 @@ impl RiemapApp {
             errors: self.errors(),
             probe: self.pictures.probe.as_ref().map(probe::words),
             formula: self.windows.exporter.formula_notes(),
+            best: self.model.best().outcome().cloned(),
             step: self.windows.explore.step(),
             language: language::current(),
             notice_until: self.messages.notice.map(|notice| notice.until),

@@ -76,6 +76,7 @@ impl RiemapApp {
                 self.messages.common = Some(key::pins_do_not_play().into());
             }
             Action::Play(action) => self.player.act(action, &self.model),
+            Action::Best(action) => self.model.act_on_best(action),
             Action::Walks(action) => self.model.act_on_walks(action),
             Action::Invariants(action) => self.model.act_on_invariants(action),
             Action::Explore(action) => self.explore(action),

@@ -79,7 +79,7 @@ impl RiemapApp {
             self.recall(Habit::Dragged);
         }
         self.begin_study();
-        let moves = self.play(context, now);
+        let moves = self.play(context, now) | self.seek_best(context, now);
         self.refresh(context, moves, now);
         let is_held = context.input(|input| input.pointer.any_down());
         self.model.set_at_rest(!moves && !is_held && self.is_resting(now));
@@ -140,6 +140,19 @@ impl RiemapApp {
         }
         // a dot that is held without moving counts as at rest
         self.player.is_moving() || (is_held && !self.is_resting(now))
+    }
+
+    /// Continues the search for the best map and moves the points to its result; returns whether they move.
+    fn seek_best(&mut self, context: &egui::Context, now: f64) -> bool {
+        let (commands, goes_on) = self.model.advance_best(now, self.windows.explore.is_calm);
+        let moves = !commands.is_empty();
+        for command in commands {
+            self.command(command, now);
+        }
+        if goes_on {
+            context.request_repaint();
+        }
+        moves
     }
 
     /// Whether the map has not changed for [`REST_SECONDS`].

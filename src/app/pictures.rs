@@ -84,6 +84,7 @@ fn paint_map(app: &RiemapApp, ui: &Ui, side: Side, style: Option<&TextureStyle>)
     let picture = app.pictures.of(&app.model, side);
     picture.paint(ui, (&app.model, side), style, app.pictures.cells.style(), pace);
     picture.paint_loops(ui, side, &app.model);
+    picture.paint_best(ui, side, &app.model);
     editing::paint_sheet(ui, side, view, &app.editor);
 }
 

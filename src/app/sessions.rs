@@ -205,12 +205,17 @@ impl RiemapApp {
 
     /// Stores the session when it is at rest. In the tour or a lesson that is the one from before, at once: their own
     /// sessions are not stored, and a reload restores the user's.
+    /// Whether points move by themselves: along a loop, or to the best map.
+    fn is_in_motion(&self) -> bool {
+        self.player.is_playing() || self.model.best().is_moving()
+    }
+
     pub(super) fn keep(&mut self, context: &egui::Context) {
         self.keep_lesson();
         let (held, now) = context.input(|input| (input.pointer.any_down() || !input.keys_down.is_empty(), input.time));
         let own = match self.windows.explore.before() {
             Some(before) => before.clone(),
-            None if held || self.player.is_playing() || !self.model.is_mapped() => return,
+            None if held || self.is_in_motion() || !self.model.is_mapped() => return,
             None => self.model.session().clone(),
         };
         let settled = self.persistence.settle(&own, now);

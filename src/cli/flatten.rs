@@ -3,17 +3,19 @@
 use super::corners::Corners;
 use super::flatten_arguments::{CornersArgument, FlattenArguments, UvArgument, read};
 use super::named_outline::{NamedOutline, read_outline};
+use super::optimization::{Optimized, optimized};
 use super::output::{check_paths, edges_flipped, print, say_solver, triangles, warn_if_coarse, words, write_all};
 use super::progress::Progress;
 use super::tables::Counts;
 use super::{CliError, surface_picture};
 use crate::conformal::{
-    ConformalMap, Constraints, CornerCuts, FrameTimings, MapError, MapSettings, MeshedDomain, MeshedSurface,
+    ConformalMap, Constraints, CornerCuts, FrameTimings, MapError, MapSettings, MeshedDomain, MeshedSurface, PerSide,
     PrepareSettings, PrepareTimings, PreparedSide, Quality, Side, SurfaceSettings, prepare, prepare_surface,
 };
 use crate::export::{FileFormat, Flattened, Placement};
 use crate::laplace::SolverKind;
 use crate::mesh::{BarycentricPoint, FlipReport};
+use crate::optimization::Criterion;
 use crate::outline::Interpreted;
 use crate::surface::{Surface, SurfaceMesh};
 use std::path::Path;
@@ -43,12 +45,23 @@ struct Summary {
     notes: Vec<String>,
     surface_point: Point,
     surface_anchor: f64,
+    /// The search for the best map, and what came out in the outline, if it was asked for.
+    #[serde(flatten)]
+    best: Option<Best>,
     uv: Placement,
     /// The outline's corners, if it has any and they were not switched off.
     corners: Option<Corners>,
     /// What the outline's points were taken for.
     interpretation: Option<Interpreted>,
     timing_ms: Timings,
+}
+
+/// The search for the best map, and its points in the outline.
+#[derive(Debug, Clone, serde::Serialize)]
+struct Best {
+    optimised: Optimized,
+    outline_point: Option<[f64; 2]>,
+    outline_anchor: f64,
 }
 
 /// A point of the surface: a triangle, counted after polygons are cut into triangles, and barycentric weights.
@@ -112,11 +125,12 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
         let text = serde_json::to_string_pretty(&summary).map_err(|error| CliError::Input(error.to_string()))?;
         return print(&text);
     }
+    let best = summary.best.as_ref().map(|best| format!("\n{}", best.optimised.said())).unwrap_or_default();
     let Summary { quality, counts, flips, .. } = summary;
     let kind = summary.interpretation.map(|found| format!("\noutline: {}", words(found))).unwrap_or_default();
     let corners = summary.corners.map(|corners| format!("\n{}", corners.said())).unwrap_or_default();
     print(&format!(
-        "m = {}, n = {}, {}; {}, negative weights {} → {}\nmean Q = {:.4}, {} flipped, {} collapsed{kind}{corners}",
+        "m = {}, n = {}, {}; {}, negative weights {} → {}\nmean Q = {:.4}, {} flipped, {} collapsed{best}{kind}{corners}",
         counts.m,
         counts.n,
         triangles(counts.triangles),
@@ -136,6 +150,7 @@ struct Parameterized {
     cuts: Option<CornerCuts>,
     constraints: Constraints,
     sides: Sides,
+    best: Option<Best>,
     x2: BarycentricPoint,
     /// As a fraction of the loop's length.
     y2: f64,
@@ -147,6 +162,8 @@ fn compute(
     surface: &Surface,
     progress: &Progress,
 ) -> Result<(Parameterized, Timings), CliError> {
+    let criterion = arguments.optimize.criterion.as_ref();
+    criterion.map_or(Ok(()), |named| named.check(PerSide::new(true, false)))?;
     let outline = read_outline(&arguments.outline, arguments.repair)?.interpreted(arguments.discretization.interpret);
     progress.enter(format!("checking {}", arguments.surface));
     let outer = usize::from(arguments.boundary_loop) - 1;
@@ -166,6 +183,13 @@ fn compute(
     let constraints = Constraints::new((x1, arguments.outline_anchor.fraction(&sides.domain, None)), (x2, y2));
     outline.say_notes(&arguments.outline);
     sides.say_notes(arguments);
+    let polygons = PerSide::new(Some(outline.outline.polygon()), None);
+    let best = match criterion.map(|named| named.criterion(polygons)).transpose()? {
+        Some(criterion) => Some(sides.best(criterion, constraints, progress)?),
+        None => None,
+    };
+    let constraints = best.as_ref().map_or(constraints, |(constraints, _)| *constraints);
+    let (x2, y2) = (constraints.points.target.on_surface().unwrap_or(x2), constraints.anchors.target);
     progress.enter("the map");
     let (source, surface) = (Arc::clone(&sides.source), Arc::clone(&sides.surface));
     let timings = Timings { check, surface: surface.timings(), outline: source.timings(), ..Timings::default() };
@@ -175,7 +199,8 @@ fn compute(
     let corners = outline.outline.corner_places();
     let has_cuts = arguments.corners == CornersArgument::Hit && !corners.is_empty();
     let cuts = if has_cuts { map.cut_corners(&corners) } else { None };
-    Ok((Parameterized { map, cuts, constraints, sides, x2, y2 }, Timings { frame, ..timings }))
+    let best = best.map(|(_, best)| best);
+    Ok((Parameterized { map, cuts, constraints, sides, best, x2, y2 }, Timings { frame, ..timings }))
 }
 
 /// Both prepared sides.
@@ -207,6 +232,19 @@ impl Sides {
         let meshed = Arc::clone(surface.surface().ok_or_else(no_surface)?);
         let interpreted = outline.interpretation(&arguments.outline);
         Ok(Self { source: Arc::new(source), surface: Arc::new(surface), domain, meshed, solver, interpreted })
+    }
+
+    /// The constraints of the best map.
+    fn best(
+        &self,
+        criterion: Criterion,
+        start: Constraints,
+        progress: &Progress,
+    ) -> Result<(Constraints, Best), CliError> {
+        let sides = PerSide::new(Arc::clone(&self.source), Arc::clone(&self.surface));
+        let (constraints, optimised) = optimized(sides, criterion, start, MapSettings::default(), progress)?;
+        let outline_point = constraints.points.source.in_plane().map(|x| x.to_array());
+        Ok((constraints, Best { optimised, outline_point, outline_anchor: constraints.anchors.source }))
     }
 
     fn say_notes(&self, arguments: &FlattenArguments) {
@@ -266,6 +304,7 @@ fn summarize(surface: &Surface, whole: &Parameterized, flattened: &Flattened, ti
             position: meshed.position(*x2).to_array(),
         },
         surface_anchor: *y2,
+        best: whole.best.clone(),
         uv: flattened.placement,
         corners: whole.cuts.as_ref().map(|cuts| Corners::of(cuts, flattened)),
         interpretation: sides.interpreted,

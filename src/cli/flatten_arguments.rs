@@ -34,6 +34,9 @@ pub struct FlattenArguments {
     /// y₁, the image of y₂: the point of the outline nearest to X,Y, or the one at fraction S of its length.
     #[arg(long, alias = "source-anchor", value_name = "X,Y|@S", default_value = "@0", allow_hyphen_values = true)]
     pub outline_anchor: Anchor,
+    /// The best map in place of the given one.
+    #[command(flatten)]
+    pub optimize: super::optimization::OptimizeArguments,
     /// Make all safe repairs of the surface (drop duplicate triangles and unused vertices, orient, keep the largest
     /// component, fill holes), and cut small loops and spikes off the outline.
     #[arg(long)]

@@ -2,17 +2,19 @@
 
 use super::CliError;
 use super::map_arguments::{DirectionArgument, ExtensionArgument, MapArguments};
+use super::optimization::optimized;
 use super::output::{Format, check_paths, print, triangles, words, write_all};
 use super::pins::{self, Pinned};
 use super::progress::Progress;
-use super::side::{self, Asked, NamedSide, Reading, is_surface};
-use super::tables::{self, Summary};
+use super::side::{self, Asked, NamedSide, Placed, Reading, is_surface};
+use super::tables::{self, Best, Summary};
 use super::{picture, surface_picture};
 use crate::conformal::{
     ConformalMap, Constraints, Direction, Extension, KernelMode, MapError, MapSettings, PerSide, PrepareSettings,
     PrepareTimings, Side,
 };
 use crate::export::{Ruling, boundary_csv, mapped_obj, panels, parts, svg};
+use crate::optimization::Criterion;
 use crate::outline::Interpreted;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -25,9 +27,10 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
     let progress = Progress::new("reading");
-    let Computed { map, constraints, pinned, interpreted, coarse, unestimated, table } = compute(arguments, &progress)?;
+    let Computed { map, constraints, pinned, best, interpreted, coarse, unestimated, table } =
+        compute(arguments, &progress)?;
     progress.enter("writing");
-    let summary = Summary { pinned, ..Summary::of(&map, interpreted, coarse, unestimated) };
+    let summary = Summary { pinned, best, ..Summary::of(&map, interpreted, coarse, unestimated) };
     let names = PerSide::new(arguments.source.as_str(), arguments.target.as_str());
     let scene = Scene { map: &map, constraints, names };
     let mut files = Vec::new();
@@ -48,7 +51,7 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
 }
 
 fn in_words(summary: &Summary) -> String {
-    let Summary { quality, counts, unresolved_area, interpretation, accuracy, pinned, .. } = summary;
+    let Summary { quality, counts, unresolved_area, interpretation, accuracy, pinned, best, .. } = summary;
     let unresolved = unresolved_area.filter(|area| *area > 0.0);
     let kinds =
         interpretation.iter().filter_map(|(side, found)| found.map(|found| format!("{side}: {}", words(found))));
@@ -56,8 +59,9 @@ fn in_words(summary: &Summary) -> String {
     let kinds = if kinds.is_empty() { String::new() } else { format!("\n{}", kinds.join("; ")) };
     let pinned =
         pinned.as_ref().map(|pinned| format!("\nthe pins are met to {:.1e}", pinned.miss())).unwrap_or_default();
+    let best = best.as_ref().map(|best| format!("\n{}", best.optimised.said())).unwrap_or_default();
     format!(
-        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed{}{}{pinned}{kinds}",
+        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed{}{}{pinned}{best}{kinds}",
         counts.m,
         counts.n,
         triangles(counts.triangles),
@@ -76,6 +80,7 @@ struct Computed {
     map: ConformalMap,
     constraints: Constraints,
     pinned: Option<Pinned>,
+    best: Option<Best>,
     interpreted: PerSide<Option<Interpreted>>,
     coarse: PrepareTimings,
     /// Why there is no estimate of the errors, although it was asked for.
@@ -177,6 +182,8 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
     // report errors in either side's arguments before preparing the first one
     asked.iter().try_for_each(Asked::check)?;
     let pins = arguments.pins.check(&asked)?;
+    let criterion = arguments.optimize.criterion.as_ref();
+    criterion.map_or(Ok(()), |named| named.check(PerSide::from(asked.map(|side| !is_surface(side.name)))))?;
     if asked.iter().all(|side| is_surface(side.name)) && arguments.discretization.samples.is_some() {
         let text = "--samples is for outlines: both sides are surfaces, which have their own boundary vertices";
         return Err(CliError::Usage(text.to_owned()));
@@ -185,11 +192,16 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
     let mut source = NamedSide::prepare(&asked[0], first, reading, progress)?;
     let mut target = NamedSide::prepare(&asked[1], second, reading, progress)?;
     let pins = pins.map(|given| pins::constraints(given, [&mut source, &mut target], progress)).transpose()?;
-    progress.enter("the map");
-    let constraints = match &pins {
+    let given = match &pins {
         Some((_, constraints)) => *constraints,
         None => Constraints::new(source.constraint(&asked[0])?, target.constraint(&asked[1])?),
     };
+    let direction = settings.direction;
+    let criterion = criterion.map(|named| named.criterion(PerSide::new(source.polygon(), target.polygon())));
+    let criterion = criterion.transpose()?;
+    let best = criterion.map(|criterion| best(criterion, given, direction, [&mut source, &mut target], progress));
+    let (constraints, best) = best.transpose()?.map_or((given, None), |(found, best)| (found, Some(best)));
+    progress.enter("the map");
     let sides = (Arc::clone(&source.prepared), Arc::clone(&target.prepared));
     let map = ConformalMap::new(sides.0, sides.1, &constraints, settings).map_err(|error| refused(&error, &asked))?;
     let pinned = pins.map(|(pins, _)| Pinned::of(&map, &pins, &constraints, [&source, &target])).transpose()?;
@@ -224,7 +236,22 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
         }
     }
     let interpreted = PerSide::new(source.interpreted(), target.interpreted());
-    Ok(Computed { map, constraints, pinned, interpreted, coarse, unestimated, table })
+    Ok(Computed { map, constraints, pinned, best, interpreted, coarse, unestimated, table })
+}
+
+/// The constraints of the best map. An outline whose equation does not resolve its point is prepared anew with it.
+fn best(
+    criterion: Criterion,
+    start: Constraints,
+    direction: Direction,
+    [source, target]: [&mut NamedSide; 2],
+    progress: &Progress,
+) -> Result<(Constraints, Best), CliError> {
+    let sides = PerSide::new(Arc::clone(&source.prepared), Arc::clone(&target.prepared));
+    let (found, optimised) = optimized(sides, criterion, start, direction.into(), progress)?;
+    source.resolve(found.points.source, progress)?;
+    target.resolve(found.points.target, progress)?;
+    Ok((found, Best { optimised, constraints: Placed::of(&found, [source, target])? }))
 }
 
 /// Places the mesh's vertices by Cauchy's integral; says on stderr how many it cannot place.

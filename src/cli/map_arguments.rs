@@ -20,6 +20,9 @@ pub struct MapArguments {
     /// Boundary pairs in their place.
     #[command(flatten)]
     pub pins: super::pins::PinArguments,
+    /// The best map in place of the given one.
+    #[command(flatten)]
+    pub optimize: super::optimization::OptimizeArguments,
     /// The numbers of boundary samples.
     #[command(flatten)]
     pub samples: SampleArguments,

@@ -29,6 +29,7 @@ mod map_arguments;
 mod moved;
 mod named_curve;
 mod named_outline;
+mod optimization;
 mod output;
 mod picture;
 mod picture_arguments;

@@ -2,7 +2,7 @@
 
 use super::CliError;
 use super::progress::Progress;
-use super::side::{Asked, NamedSide, Place, SideAnchor};
+use super::side::{Asked, NamedSide, Placed, SideAnchor};
 use crate::conformal::{ConformalMap, Constraints, MOST_PINS, PerSide, PinError, Pins};
 use std::str::FromStr;
 
@@ -16,7 +16,7 @@ pub struct PinArguments {
     /// outline, X,Y,Z or a boundary vertex V of a surface, @S anywhere. Three of them determine the map, in place of
     /// points and anchors; more are met by least squares. They run around both sides in the same order.
     #[arg(long = "pin", value_name = "P:Q", allow_hyphen_values = true,
-          conflicts_with_all = ["source_point", "target_point", "source_anchor", "target_anchor"])]
+          conflicts_with_all = ["source_point", "target_point", "source_anchor", "target_anchor", "criterion"])]
     pub pins: Vec<PinArgument>,
 }
 
@@ -91,10 +91,8 @@ fn refused(error: &PinError) -> CliError {
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Pinned {
     pins: Vec<Pin>,
-    source_point: Place,
-    target_point: Place,
-    source_anchor: f64,
-    target_anchor: f64,
+    #[serde(flatten)]
+    constraints: Placed,
 }
 
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -111,17 +109,14 @@ impl Pinned {
     pub fn of(
         map: &ConformalMap,
         pins: &Pins,
-        Constraints { points, anchors, .. }: &Constraints,
-        [source, target]: [&NamedSide; 2],
+        constraints: &Constraints,
+        sides: [&NamedSide; 2],
     ) -> Result<Self, CliError> {
         let misses = pins.checked_misses(map).map_err(|error| refused(&error))?;
         let pin = |(pair, miss): (&PerSide<f64>, f64)| Pin { source: pair.source, target: pair.target, miss };
         Ok(Self {
             pins: pins.pairs().iter().zip(misses).map(pin).collect(),
-            source_point: source.place(points.source)?,
-            target_point: target.place(points.target)?,
-            source_anchor: anchors.source,
-            target_anchor: anchors.target,
+            constraints: Placed::of(constraints, sides)?,
         })
     }
 

@@ -8,9 +8,10 @@ use super::output::{say_solver, warn_if_coarse};
 use super::progress::Progress;
 use super::values::{Anchor, Point};
 use crate::conformal::{
-    InteriorPoint, KernelMode, PrepareSettings, PreparedSide, SideGeometry, SurfaceSettings, prepare_quartered,
-    prepare_surface,
+    Constraints, InteriorPoint, KernelMode, PrepareSettings, PreparedSide, SideGeometry, SurfaceSettings,
+    prepare_quartered, prepare_surface,
 };
+use crate::geometry::SimplePolygon;
 use crate::outline::{Interpreted, Preset};
 use crate::surface::{Surface, SurfaceMesh, SurfacePreset, names_format};
 use std::str::FromStr;
@@ -75,6 +76,31 @@ pub enum Place {
     Plane([f64; 2]),
     /// On a surface.
     Surface { triangle: u32, weights: [f64; 3], position: [f64; 3] },
+}
+
+/// The constraints of a map as they are written.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct Placed {
+    source_point: Place,
+    target_point: Place,
+    /// Fractions of the boundaries' lengths.
+    source_anchor: f64,
+    target_anchor: f64,
+}
+
+impl Placed {
+    /// The constraints between these sides.
+    pub fn of(
+        Constraints { points, anchors, .. }: &Constraints,
+        [source, target]: [&NamedSide; 2],
+    ) -> Result<Self, CliError> {
+        Ok(Self {
+            source_point: source.place(points.source)?,
+            target_point: target.place(points.target)?,
+            source_anchor: anchors.source,
+            target_anchor: anchors.target,
+        })
+    }
 }
 
 /// A side as it was read.
@@ -263,6 +289,11 @@ impl NamedSide {
     /// What an outline's points were taken for.
     pub fn interpreted(&self) -> Option<Interpreted> {
         self.interpreted
+    }
+
+    /// The polygon of an outline.
+    pub fn polygon(&self) -> Option<&SimplePolygon> {
+        if let Given::Outline(outline) = &self.given { Some(outline.outline.polygon()) } else { None }
     }
 
     fn is_surface(&self) -> bool {

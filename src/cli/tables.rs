@@ -1,7 +1,9 @@
 //! A map's numbers as JSON, with a summary.
 
 use super::accuracy::Accuracy;
+use super::optimization::Optimized;
 use super::pins::Pinned;
+use super::side::Placed;
 use crate::conformal::{
     ConformalMap, FrameTimings, PerSide, Places, PrepareTimings, PreparedSide, Quality, ResolvedBoundary, Side,
 };
@@ -54,6 +56,19 @@ pub struct Summary {
     /// The pins and what came out, if the map was given by pins.
     #[serde(flatten)]
     pub pinned: Option<Pinned>,
+    /// The search and what came out, if the best map was asked for.
+    #[serde(flatten)]
+    pub best: Option<Best>,
+}
+
+/// The search for the best map, and its constraints.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct Best {
+    /// The criterion before and after.
+    pub optimised: Optimized,
+    /// What came out.
+    #[serde(flatten)]
+    pub constraints: Placed,
 }
 
 impl Summary {
@@ -74,6 +89,7 @@ impl Summary {
             interpretation,
             accuracy: Accuracy::of(map, unestimated),
             pinned: None,
+            best: None,
         }
     }
 }

@@ -16,6 +16,7 @@
 //! | the same by Cauchy's integral | `cauchy_green`, `refinement`, `exact_images` | (7), (15) |
 //! | f and f′ at any point by Cauchy's integral over the boundary map | `anywhere` | |
 //! | conformal polar coordinates | `disk_coordinates` | sections 1.2, 3.1 |
+//! | the scale of the map to the disk, without crowding | `disk_scale` | |
 //! | images on another surface, through the disk | `through_disk` | |
 //! | the mapped mesh refined where images are long | `resolution` | |
 //! | the constraints of the map through three boundary pairs, or nearest to more | `pins` | |
@@ -37,6 +38,7 @@ mod constraints;
 mod corner_cuts;
 mod curved;
 mod disk_coordinates;
+mod disk_scale;
 mod distortion;
 mod domain;
 mod exact_images;
@@ -55,6 +57,7 @@ mod map_side;
 mod matching;
 mod measure;
 mod measured;
+mod moebius;
 mod pins;
 mod places;
 mod prepare;
@@ -84,6 +87,7 @@ pub(crate) use curved::FlatEquation;
 pub use curved::{BoundaryEquation, CurveBoundary, CurveMap, ErrorEstimate, MAX_UNKNOWNS, Unsharpened};
 pub(crate) use disk_coordinates::begin_disk_coordinates;
 pub use disk_coordinates::disk_coordinates;
+pub use disk_scale::log_disk_scale;
 pub use distortion::{Quality, TriangleDistortion, triangle_distortions};
 pub use domain::MeshedDomain;
 pub(crate) use extension::ExtensionScratch;
@@ -97,6 +101,7 @@ pub use map::{ConformalMap, FrameTimings};
 pub use map_error::{MapError, MapNote};
 pub use matching::{BoundaryCorrespondence, match_measures};
 pub use measure::HarmonicMeasure;
+pub use moebius::Moebius;
 pub use pins::{MOST_PINS, PinError, Pins};
 pub use places::{Places, Unfold};
 pub use prepare::{

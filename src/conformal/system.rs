@@ -148,6 +148,13 @@ impl PreparedSide {
         }
     }
 
+    /// Adds sources, by interior vertex and integrated over its cell, to the right-hand side of an extension that was begun.
+    pub(super) fn add_sources(&self, sources: impl Iterator<Item = f64>, scratch: &mut ExtensionScratch) {
+        for (unknown, source) in (0u32..).zip(sources) {
+            scratch.solution[self.system.solver.position(unknown)][0] += source;
+        }
+    }
+
     /// Continues until `values` holds those of all vertices (true) or `deadline` has passed (`values` is then
     /// unchanged). The deadline is checked every few milliseconds; the longest step is writing the `values` at the end.
     pub(crate) fn advance_extension(

@@ -1,4 +1,4 @@
-//! Plane geometry: simple polygons, curves of smooth pieces, arc length, robust orientation.
+//! Plane geometry: simple polygons, their symmetries, curves of smooth pieces, arc length, robust orientation.
 //!
 //! Points are [`glam::DVec2`]; polygons are closed without repeating the first
 //! point, and counter-clockwise. Nothing here knows about meshes or maps.
@@ -15,6 +15,7 @@ mod sorting;
 mod spline;
 mod status;
 mod sweep;
+mod symmetry;
 mod validate;
 
 pub(crate) use curve::gauss_legendre;
@@ -28,4 +29,5 @@ pub use polygon::{Bounds, SimplePolygon};
 pub use predicates::{Side, on_segment, orientation, side};
 pub(crate) use sorting::sort_by_number;
 pub use spline::Spline;
+pub use symmetry::{Axis, Rotations, SYMMETRY_TOLERANCE, Symmetries};
 pub use validate::{MAX_COORDINATE, MAX_POINTS, MIN_EXTENT};

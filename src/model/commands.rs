@@ -25,6 +25,10 @@ impl Model {
         if touched.touches(Touched::NEW_SHAPE) {
             self.pinned.expect(None);
         }
+        if let Command::SetOutline { side: Side::Source, .. } | Command::SetSurface { side: Side::Source, .. } = command
+        {
+            self.session.apply(Command::SetRegion(Vec::new())); // it was painted on another shape
+        }
         match command {
             Command::SetOutline { side, outline } => {
                 self.want_outline(side, outline, Vec::new());
@@ -61,7 +65,8 @@ impl Model {
             | Command::SetColouring(_)
             | Command::SetWireframe(_)
             | Command::SetPlots(_)
-            | Command::SetComparison(_) => {
+            | Command::SetComparison(_)
+            | Command::SetRegion(_) => {
                 let touched = self.session.apply(command);
                 self.changed.points |= touched.touches(Touched::POINTS | Touched::SETTINGS);
                 return touched;

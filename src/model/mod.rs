@@ -8,6 +8,7 @@
 
 mod abilities;
 mod attachments;
+pub mod best;
 pub mod boundary_loops;
 pub mod coarse;
 mod commands;
@@ -52,6 +53,7 @@ use crate::conformal::{
 };
 use crate::geometry::{Bounds, DVec2};
 use crate::language::Message;
+use crate::model::best::BestMap;
 use crate::model::coarse::Draft;
 use crate::model::fine::Fine;
 use crate::model::measurement::Measurement;
@@ -142,6 +144,7 @@ pub struct Model {
     refines: Refines,
     pub(super) update_ms: f64,
     pinned: Pinned,
+    best: BestMap,
     changed: Changed,
     /// The opened files that wait for those before them.
     queue: FileQueue,
@@ -172,6 +175,7 @@ impl Model {
             refines: Refines::InRefresh,
             update_ms: UPDATE_MS,
             pinned,
+            best: BestMap::default(),
             changed: Changed::default(),
             queue: FileQueue::default(),
             arrived: None,

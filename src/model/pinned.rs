@@ -233,7 +233,8 @@ impl Model {
     }
 }
 
-fn side_points(point: InteriorPoint, anchor: f64) -> SidePoints {
+/// The points of a side with these constraints.
+pub(super) fn side_points(point: InteriorPoint, anchor: f64) -> SidePoints {
     match point {
         InteriorPoint::Plane(x) => SidePoints::Outline { interior: Some(x), anchor },
         InteriorPoint::Surface(point) => SidePoints::Surface { interior: Some(point), anchor },

@@ -5,6 +5,7 @@ use super::{
 };
 use crate::conformal::{Direction, Extension, InteriorPoint, Pins, PrepareSettings, Side};
 use crate::geometry::{DVec2, PicturePlacement};
+use crate::optimization::Dab;
 
 /// A change of the session.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +50,9 @@ pub enum Command {
         side: Side,
         fraction: f64,
     },
+    /// Replaces the painted region of the source. Numbers are rounded to those that a link holds; an exchange of the sides
+    /// drops it, while another shape leaves it as it is.
+    SetRegion(Vec<Dab>),
     /// Shows a surface instead of the outline. If the side has the same surface at another resolution or with other
     /// settings, the points stay; the interior point is reset if the triangles change.
     SetSurface {
@@ -94,7 +98,7 @@ impl Command {
             Self::SetOutline { .. } | Self::SetSurface { .. } => Touched::ANOTHER_SHAPE,
             Self::CloseSurface(_) => Touched::SHAPES | Touched::POINTS,
             Self::ReshapeOutline { .. } => Touched::SHAPES, // its points are carried along
-            Self::Swap => Touched::SHAPES | Touched::POINTS | Touched::SETTINGS,
+            Self::Swap => Touched::SHAPES | Touched::POINTS | Touched::SETTINGS | Touched::COMPARISON,
             Self::MoveInterior { .. } => Touched::INTERIOR,
             Self::MoveAnchor { .. } => Touched::BOUNDARY,
             Self::PlacePoints { .. } | Self::SetPins(_) | Self::MovePin { .. } => Touched::POINTS,
@@ -106,7 +110,7 @@ impl Command {
             }
             Self::SetColouring(_) | Self::SetWireframe(_) | Self::SetHoles { .. } => Touched::COLOURS,
             Self::SetPlots(_) => Touched::PLOTS,
-            Self::SetComparison(_) => Touched::COMPARISON,
+            Self::SetComparison(_) | Self::SetRegion(_) => Touched::COMPARISON,
             Self::Open(_) => Touched::EVERYTHING,
         }
     }
@@ -173,8 +177,10 @@ impl Session {
             Command::SetWireframe(shown) => self.display.wireframe = shown,
             Command::SetPlots(open) => self.display.plots = open,
             Command::SetComparison(comparison) => self.display.comparison = comparison,
+            Command::SetRegion(region) => self.region = region.into_iter().map(Dab::rounded).collect(),
             Command::Swap => {
                 self.sides.swap();
+                self.region.clear();
                 self.pins = self.pins.as_ref().map(Pins::exchanged);
             }
             Command::Open(session) => *self = *session,

@@ -6,6 +6,7 @@
 use super::{DomainSpec, Session, SurfaceShape, SurfaceState};
 use crate::geometry::{MAX_COORDINATE, PICTURE_MIDDLE, PICTURE_SIZE, PICTURE_TURN, PicturePlacement};
 use crate::mesh::Sizing;
+use crate::optimization::MOST_DABS;
 use crate::outline::Sampling;
 use std::ops::RangeInclusive;
 
@@ -41,6 +42,12 @@ pub enum Quantity {
     /// The placement of the image.
     #[error("the placement of the picture")]
     Picture,
+    /// The dabs of the painted region.
+    #[error("the number of dabs in the painted region")]
+    Dabs,
+    /// The radius of one.
+    #[error("the radius of a dab in the painted region")]
+    DabRadius,
     /// m.
     #[error("the number of boundary samples")]
     Samples,
@@ -92,6 +99,13 @@ impl Session {
         within(Quantity::Picture, middle.y, &PICTURE_MIDDLE)?;
         within(Quantity::Picture, size, &PICTURE_SIZE)?;
         within(Quantity::Picture, turn, &PICTURE_TURN)?;
+        within(Quantity::Dabs, self.region.len() as f64, &(0.0..=MOST_DABS as f64))?;
+        for dab in &self.region {
+            within(Quantity::DabRadius, dab.radius, &(f64::MIN_POSITIVE..=MAX_COORDINATE))?;
+            for value in dab.middle.to_array() {
+                within(Quantity::Coordinate, value, &(-MAX_COORDINATE..=MAX_COORDINATE))?;
+            }
+        }
         sides().filter_map(|side| side.surface.as_ref()).try_for_each(check_surface)
     }
 }

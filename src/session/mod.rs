@@ -34,6 +34,7 @@ use crate::conformal::{
 };
 use crate::geometry::{DVec2, PicturePlacement};
 use crate::mesh::Sizing;
+use crate::optimization::Dab;
 use crate::outline::{Preset, Sampling};
 
 /// The settings stored in a link or a file.
@@ -43,6 +44,8 @@ pub struct Session {
     display: Display,
     /// The boundary pairs that determine the map; the points of both sides then follow from them.
     pins: Option<Pins>,
+    /// The region of the source that was painted: disks in the plane or balls in space, whose union it is.
+    region: Vec<Dab>,
 }
 
 /// Boundary samples of the default session: enough for the checkerboard's lines to look smooth on a screen.
@@ -60,7 +63,7 @@ impl Default for Session {
         };
         let side = |preset| SideState::new(OutlineSpec::Preset(preset), settings);
         let sides = PerSide::new(side(Preset::Gingerbread), side(Preset::Heart));
-        Self { sides, display: Display::default(), pins: None }
+        Self { sides, display: Display::default(), pins: None, region: Vec::new() }
     }
 }
 
@@ -82,7 +85,7 @@ impl Session {
     /// The map and display settings of this session with the sides of `other`, without pins.
     #[must_use]
     pub fn over_sides_of(&self, other: &Self) -> Self {
-        Self { sides: other.sides.clone(), display: self.display, pins: None }
+        Self { sides: other.sides.clone(), display: self.display, pins: None, region: self.region.clone() }
     }
 
     /// Both sides.
@@ -140,6 +143,11 @@ impl Session {
     /// The side on which the pattern is defined: it is pushed forward from the source or pulled back from the target.
     pub fn texture_side(&self) -> Side {
         self.display.texture_side
+    }
+
+    /// The region of the source that was painted, as dabs of a brush; empty unless there is one.
+    pub fn region(&self) -> &[Dab] {
+        &self.region
     }
 
     /// Where the image lies, relative to the domain of its side.

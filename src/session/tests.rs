@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::conformal::InteriorPoint;
-use crate::geometry::SimplePolygon;
+use crate::geometry::{DVec3, SimplePolygon};
 use crate::mesh::{BarycentricPoint, TriangleId};
 use crate::surface::SurfacePreset;
 
@@ -195,6 +195,7 @@ fn commands() -> Vec<Command> {
         Command::SetWireframe(true),
         Command::SetPlots(true),
         Command::SetComparison(Comparison::Both),
+        Command::SetRegion(vec![Dab { middle: DVec3::new(0.1, 0.2, 0.0), radius: 0.3 }]),
         Command::Swap,
         Command::CloseSurface(Side::Target),
         Command::Open(Box::default()),
@@ -224,7 +225,7 @@ fn differences(a: &Session, b: &Session) -> Touched {
         ),
         (a.display.colouring != b.display.colouring || a.display.wireframe != b.display.wireframe, Touched::COLOURS),
         (a.display.plots != b.display.plots, Touched::PLOTS),
-        (a.display.comparison != b.display.comparison, Touched::COMPARISON),
+        (a.display.comparison != b.display.comparison || a.region != b.region, Touched::COMPARISON),
     ];
     parts.into_iter().filter(|(differs, _)| *differs).fold(Touched::NOTHING, |all, (_, part)| all | part)
 }

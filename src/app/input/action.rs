@@ -4,6 +4,7 @@ use crate::app::input::preferences::{Habit, Preferences};
 use crate::conformal::Side;
 use crate::figures::LadderShape;
 use crate::geometry::DVec2;
+use crate::model::best::BestAction;
 use crate::model::editing::{Change, Hold, Pen};
 use crate::model::motion::PlayAction;
 use crate::model::overlays::invariants::InvariantsAction;
@@ -69,6 +70,8 @@ pub enum Action {
     Export(ExportAction),
     /// Start or stop the motion of the points, or change its path or period.
     Play(PlayAction),
+    /// Choose a criterion, search for the best map, paint its region, show the landscape.
+    Best(BestAction),
     /// Start, pause or clear the random walks, or change their speed.
     Walks(WalkAction),
     /// Open the gallery, the figures or the list of shortcuts; start, advance or leave the tour.
@@ -113,6 +116,7 @@ impl Action {
             Self::OpenOutline(_) | Self::OpenTrace(_) | Self::TraceImage | Self::PasteText(_) => Touched::ANOTHER_SHAPE,
             Self::OpenImage | Self::UseImage => Touched::PATTERN,
             Self::Play(_) => Touched::POINTS,
+            Self::Best(action) => action.leads_to(),
             Self::Undo
             | Self::Redo
             | Self::SaveSession

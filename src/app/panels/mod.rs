@@ -4,6 +4,7 @@
 //! |---|---|
 //! | the column of controls | `side_panel`, `surface_panel`, `play_panel` |
 //! | which map: by points or by pins | `pins_panel` |
+//! | the best map of the family | `best_panel` |
 //! | the boundary loops of a surface | `loops_panel` |
 //! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `invariants_panel` |
 //! | the welcome of the first visit | `welcome` |
@@ -13,6 +14,7 @@
 //! | the offer to trace a picture | `offer` |
 
 mod advanced;
+pub mod best_panel;
 pub mod header;
 mod interpretation;
 pub mod invariants_panel;

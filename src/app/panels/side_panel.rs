@@ -6,7 +6,7 @@ use super::surface_panel;
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::{Control, guarded, guarded_by};
 use crate::app::overlays;
-use crate::app::panels::{advanced, picture_panel, pins_panel, play_panel};
+use crate::app::panels::{advanced, best_panel, picture_panel, pins_panel, play_panel};
 use crate::app::theme::Palette;
 use crate::app::theme::explained::{explained_heading, group_heading};
 use crate::app::theme::widgets::{Segment, captioned_slider, segmented};
@@ -51,6 +51,7 @@ pub fn show(ui: &mut Ui, model: &Model, player: &Player, column: Column<'_>, act
     guarded(ui, Control::Pattern, |ui| texture(ui, model, column.image_name, actions));
     guarded(ui, Control::Colours, |ui| shown(ui, model, actions));
     guarded_by(ui, Touched::POINTS, |ui| pins_panel::show(ui, model, actions));
+    guarded_by(ui, Touched::POINTS, |ui| best_panel::show(ui, model, actions));
     if model.abilities().has_layout() {
         layout(ui, column.uv, actions);
     }

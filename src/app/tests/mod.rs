@@ -1,5 +1,6 @@
 //! The panels and the whole app, driven by clicks, drags and keys.
 
+mod best;
 mod colour_vision;
 mod corners;
 mod first_visit;

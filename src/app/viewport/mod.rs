@@ -9,6 +9,7 @@
 //! | a side's picture: of a plane or of a surface | `picture` |
 //! | dragging and painting the dots | `dots` |
 //! | adding, removing and numbering pins | `pins` |
+//! | the brush of a region and the landscape of the best map | `best` |
 //! | the marks at an outline's corners | `corners` |
 //! | moving the texture's picture | `picture_gestures` |
 //! | a small circle with a cross, and its image | `probe` |
@@ -16,6 +17,7 @@
 //! | the texture coordinates of a layout | `uv` |
 //! | the legend of triangle colors | `legend` |
 
+mod best;
 pub mod cells;
 mod corners;
 pub mod dots;

@@ -4,7 +4,7 @@
 
 use super::surface::OrbitView;
 use super::view::{Margins, View};
-use super::{pictures::Pictures, planar, surface};
+use super::{best, pictures::Pictures, planar, surface};
 use crate::app::input::action::Actions;
 use crate::app::input::handles::{HandleState, Places};
 use crate::conformal::Side;
@@ -161,6 +161,14 @@ impl Picture<&View, &OrbitView> {
     pub fn paint_loops(&self, ui: &Ui, side: Side, model: &Model) {
         if let Self::Space(orbit) = self {
             surface::loops::paint(ui, side, model, orbit);
+        }
+    }
+
+    /// Draws the landscape over x₁ and the region that was painted.
+    pub fn paint_best(&self, ui: &Ui, side: Side, model: &Model) {
+        match self {
+            Self::Plane(view) => best::paint(ui, side, model, view),
+            Self::Space(orbit) => surface::viewport::paint_region(ui, side, model, orbit),
         }
     }
 

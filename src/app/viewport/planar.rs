@@ -11,6 +11,7 @@ use crate::app::input::keyboard_navigation::{EyeMove, KeyStep};
 use crate::app::input::locks::{Control, Locks};
 use crate::app::theme::Palette;
 use crate::app::theme::widgets::caption_font;
+use crate::app::viewport::best;
 use crate::app::viewport::corners;
 use crate::app::viewport::dots;
 use crate::app::viewport::dots::Dot;
@@ -62,6 +63,11 @@ pub fn interact(
     drag_dots(ui, &response, side, model, view, handles, actions);
     let on_probe = probe::interact(ui, &response, side, model, view, handles);
     let is_held = handles.grip.is_some() || on_probe.is_held;
+    let is_busy = is_held || handles.hovered.is_some();
+    let plane = |at| Some(view.to_world(at).extend(0.0));
+    let is_taken = best::paint_region(ui, (&response, side), model, is_busy, plane, actions)
+        || best::follow_landscape(ui, (&response, side), (model, view), is_busy, actions);
+    let is_held = is_held || is_taken;
     let boundary = boundary_under_pointer(&response, side, model, view, handles);
     let adds_pin = pins::add(ui, &response, side, model, boundary, actions);
     if places_picture {

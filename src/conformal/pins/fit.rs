@@ -7,9 +7,8 @@
 //! unknowns of each step are those of the damped normal equations (Levenberg 1944, Marquardt 1963), from the map through
 //! three of the pins; M itself is composed exactly.
 
-use super::moebius::Moebius;
 use super::view::View;
-use crate::conformal::PerSide;
+use crate::conformal::{Moebius, PerSide};
 use crate::geometry::DVec3;
 use glam::DMat3;
 use num_complex::Complex64;

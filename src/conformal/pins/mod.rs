@@ -30,7 +30,6 @@
 mod arcs;
 mod fit;
 mod images;
-mod moebius;
 mod newton;
 mod order;
 mod start;

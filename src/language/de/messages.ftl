@@ -560,3 +560,10 @@ vertex_beyond = Dreieck { $triangle } { $corners } nennt eine Ecke jenseits der 
 device_gone = das Gerät ist nicht mehr da
 too_few_bytes = weniger Byte als { $width } × { $height } Pixel
 scene_radius = x₁ = { $radius }
+
+## best map
+
+region_holds_nothing = das Gebiet enthält kein Dreieck des Netzes: Es liegt außerhalb des Urbilds oder ist kleiner als ein Dreieck
+limit_dabs = die Anzahl der Tupfer im gemalten Gebiet
+limit_dab_radius = der Radius eines Tupfers im gemalten Gebiet
+no_shared_symmetry = die Umrisse haben keine gemeinsame Symmetrie: nicht je eine Spiegelung und keine Drehung um denselben Winkel

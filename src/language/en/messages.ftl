@@ -560,3 +560,10 @@ vertex_beyond = triangle { $triangle } { $corners } names a vertex beyond the { 
 device_gone = the device has gone away
 too_few_bytes = fewer bytes than { $width } × { $height } pixels
 scene_radius = x₁ = { $radius }
+
+## best map
+
+region_holds_nothing = the region holds no triangle of the mesh: it lies outside of the source, or is smaller than a triangle
+limit_dabs = the number of dabs in the painted region
+limit_dab_radius = the radius of a dab in the painted region
+no_shared_symmetry = the outlines have no symmetry in common: no reflection each, and no rotation by the same angle

@@ -6,6 +6,7 @@ use crate::conformal::{
 };
 use crate::figures::FigureError;
 use crate::language::{Message, key};
+use crate::optimization::OptimizeError;
 
 impl From<&PrepareError> for Message {
     fn from(error: &PrepareError) -> Self {
@@ -35,6 +36,16 @@ impl From<&ResolveError> for Message {
         match error {
             ResolveError::Prepare(error) => error.into(),
             ResolveError::Map(error) => error.into(),
+        }
+    }
+}
+
+impl From<&OptimizeError> for Message {
+    fn from(error: &OptimizeError) -> Self {
+        match error {
+            OptimizeError::Map(error) => error.into(),
+            OptimizeError::EmptyRegion => key::region_holds_nothing().into(),
+            OptimizeError::NoSharedSymmetry => key::no_shared_symmetry().into(),
         }
     }
 }

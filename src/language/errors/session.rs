@@ -112,6 +112,8 @@ impl From<Quantity> for Label {
             Quantity::Anchor => key::limit_anchor(),
             Quantity::Cells => key::limit_cells(),
             Quantity::Picture => key::limit_picture(),
+            Quantity::Dabs => key::limit_dabs(),
+            Quantity::DabRadius => key::limit_dab_radius(),
             Quantity::Samples => key::limit_samples(),
             Quantity::Growth => key::limit_growth(),
             Quantity::SurfaceBoundary => key::limit_surface_boundary(),

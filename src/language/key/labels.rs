@@ -175,6 +175,12 @@ keys_of_labels! {
     frame_tooltip, source, target, stage_sample, stage_assemble, stage_order, stage_table, waiting_worker,
     reading, sampling_boundary, triangulating, assembling_laplacian, ordering, factoring, solved_iteratively,
     mesh_is_coarser,
+    // best map
+    best_map, explain_best_map, aim_area, aim_area_tooltip, aim_scale, aim_scale_tooltip, aim_region,
+    aim_region_tooltip, aim_symmetry, aim_symmetry_tooltip, symmetry_of_outlines, find_best, find_best_tooltip, cancel_best_tooltip, course_tooltip, landscape,
+    landscape_tooltip, landscape_of_surface, brush, brush_tooltip, brush_size, clear_region, clear_region_tooltip, paint_here,
+    paint_here_tooltip, painted_here,
+    region_is_empty, best_map_interrupted, best_sought,
 }
 
 keys_of_messages! {
@@ -226,4 +232,7 @@ keys_of_messages! {
     edited_name(name); harmonic_coordinates(percent); cauchy_green_cpu_at(percent);
     sizes(boundary, interior, duration); surface_sizes_about(count, shown);
     edges_flipped(count, shown, before, after);
+    // best map
+    best_area(before, after, count); best_scale(before, after, count); best_region(before, after, count); best_symmetry(before, after, count);
+    best_already(value, count); lowest_of_landscape(value); accessible_landscape(x, y, value);
 }

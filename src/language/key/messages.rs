@@ -53,6 +53,8 @@ keys_of_labels! {
     scene_v_shape_to_blob, scene_forward, scene_backward, scene_harmonic,
     // render
     device_gone,
+    // best map
+    region_holds_nothing, no_shared_symmetry, limit_dabs, limit_dab_radius,
 }
 
 keys_of_messages! {

@@ -14,6 +14,7 @@ pub(super) fn holds(session: &Session) -> bool {
         && !session.surface(Side::Target).is_some_and(SurfaceState::chooses_loops)
         && session.picture().is_default()
         && session.pins().is_none()
+        && session.region().is_empty()
         && Side::BOTH.iter().all(|&side| session.domain(side).outline.is_only_polygon())
 }
 
@@ -119,6 +120,7 @@ impl TryFrom<Version1> for Session {
                 picture: form.added.picture,
             },
             pins: None,
+            region: Vec::new(),
         })
     }
 }

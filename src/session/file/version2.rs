@@ -4,6 +4,7 @@
 use super::{FileError, OutlineForm};
 use crate::conformal::{Direction, Extension, PerSide, Pins, PrepareSettings, Side};
 use crate::geometry::{DVec2, PicturePlacement};
+use crate::optimization::Dab;
 use crate::session::limits::{Quantity, within};
 use crate::session::view::Display;
 use crate::session::{Colouring, Comparison, DomainSpec, Session, SideState, SurfaceState, TextureKind};
@@ -21,6 +22,8 @@ pub(super) struct Written<'a> {
     display: Display,
     #[serde(skip_serializing_if = "Option::is_none")]
     pins: Option<&'a [PerSide<f64>]>,
+    #[serde(skip_serializing_if = "<[Dab]>::is_empty")]
+    region: &'a [Dab],
 }
 
 #[derive(Serialize)]
@@ -40,7 +43,8 @@ impl<'a> Written<'a> {
         };
         let (source, target) = (side(Side::Source), side(Side::Target));
         let pins = session.pins().map(Pins::pairs);
-        Self { riemap: is_file.then_some(2), version: 2, source, target, display: session.display, pins }
+        let (display, region) = (session.display, session.region());
+        Self { riemap: is_file.then_some(2), version: 2, source, target, display, pins, region }
     }
 }
 
@@ -62,6 +66,8 @@ pub(super) struct Version2 {
     #[serde(default)]
     picture: PicturePlacement,
     pins: Option<Vec<PerSide<f64>>>,
+    #[serde(default)]
+    region: Vec<Dab>,
 }
 
 #[derive(Deserialize)]
@@ -88,6 +94,7 @@ impl TryFrom<Version2> for Session {
         let pins = form.pins.map(Pins::new).transpose().map_err(FileError::Pins)?;
         Ok(Self {
             pins,
+            region: form.region.into_iter().map(Dab::rounded).collect(),
             sides: PerSide::new(form.source.checked(Side::Source)?, form.target.checked(Side::Target)?),
             display: Display {
                 direction: form.direction,

@@ -23,6 +23,7 @@ mod codes;
 mod curves;
 mod envelope;
 mod quantized;
+mod region;
 mod shortened;
 mod state;
 mod thinning;

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::conformal::{Direction, Extension, KernelMode, PrepareSettings};
-use crate::geometry::{PicturePlacement, SimplePolygon};
+use crate::geometry::{DVec3, PicturePlacement, SimplePolygon};
 use crate::laplace::SolverKind;
 use crate::mesh::{BarycentricPoint, Sizing, TriangleId};
 use crate::outline::{CurveForm, Preset, Sampling};
@@ -461,4 +461,21 @@ fn pins_travel_in_a_section_that_may_be_skipped() {
     let damaged = version2::Section { number: 7, may_be_skipped: true, content: bytes };
     let refused = with_section(damaged);
     assert!(matches!(refused, Err(LinkError::Pins(_))), "{refused:?}");
+}
+
+/// A stroke takes eight bytes a dab in the plane, and an older program shows the same map without it.
+#[test]
+fn the_painted_region_travels_in_a_section_that_may_be_skipped() {
+    let dab = |x: f64, z: f64, radius: f64| crate::optimization::Dab { middle: DVec3::new(x, 0.1, z), radius };
+    let stroke = (0..40).map(|k| dab(0.01 * f64::from(k), 0.0, 0.1));
+    let dabs = stroke.chain([dab(0.3, 0.0, 0.2), dab(0.4, -0.7, 0.2), dab(0.5, 0.6, 0.2)]).collect();
+    let session = Session::default().and([Command::SetRegion(dabs)]);
+    let link = encode(&session).unwrap().fragment;
+    assert!(link.starts_with("s=2.") && link.len() < 700, "{} bytes", link.len());
+    assert_eq!(decode(&link).unwrap().session, session);
+    let text = crate::session::file::write(&session).unwrap();
+    assert_eq!(crate::session::file::read(text.as_bytes()).unwrap(), session);
+    let bytes = postcard::to_allocvec(&region::runs(&[dab(0.0, 0.0, -1.0)])).unwrap();
+    let refused = with_section(version2::Section { number: 9, may_be_skipped: true, content: bytes });
+    assert!(matches!(refused, Err(LinkError::OutOfRange(_))), "{refused:?}");
 }

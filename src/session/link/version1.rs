@@ -119,7 +119,8 @@ impl Version1 {
                     comparison,
                     picture: _, // in a section of version 2
                 },
-            pins: _, // a section of version 2
+            pins: _,   // a section of version 2
+            region: _, // the same
         } = session;
         let sides = [source, target];
         Self {
@@ -180,6 +181,7 @@ impl Version1 {
                 picture: PicturePlacement::default(),
             },
             pins: None,
+            region: Vec::new(),
         };
         Ok(Decoded { session, missing })
     }

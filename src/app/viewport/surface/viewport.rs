@@ -9,6 +9,7 @@ use crate::app::input::keyboard_navigation;
 use crate::app::input::keyboard_navigation::{EyeMove, KeyStep};
 use crate::app::input::locks::{Control, Locks};
 use crate::app::theme::{Palette, is_animated};
+use crate::app::viewport::best;
 use crate::app::viewport::dots;
 use crate::app::viewport::dots::Dot;
 use crate::app::viewport::gpu::ViewportCallback;
@@ -19,6 +20,7 @@ use crate::app::viewport::surface::{OrbitView, loops};
 use crate::conformal::Side;
 use crate::geometry::DVec3;
 use crate::model::Model;
+use crate::model::best::Aim;
 use crate::render::{CellStyle, Pace, SpaceFrame, StrokeStyle, TextureStyle};
 use crate::session::Command;
 use crate::surface::nearest_on_boundary_to_ray;
@@ -53,7 +55,11 @@ pub fn interact(
     }
     let boundary = boundary_under_pointer(&response, side, model, view, handles);
     let adds_pin = pins::add(ui, &response, side, model, boundary, actions);
-    move_eye(ui, &response, view, handles, !adds_pin);
+    let is_busy = handles.grip.is_some() || handles.hovered.is_some();
+    let place = |at| place_at(side, model, view, at);
+    if !best::paint_region(ui, (&response, side), model, is_busy, place, actions) {
+        move_eye(ui, &response, view, handles, !adds_pin);
+    }
     match keyboard_navigation::of_viewport(ui, &response, side, handles) {
         Some(EyeMove::Step(step)) => view.turn(-step),
         Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
@@ -114,6 +120,28 @@ fn point_at(side: Side, model: &Model, view: &OrbitView, at: Pos2) -> Option<Com
         tree.nearest(eye + depth * direction)
     });
     surface.interior_near(hit?.0).map(|point| Command::MoveInterior { side, point: point.into() })
+}
+
+/// The place of the surface under the pointer.
+fn place_at(side: Side, model: &Model, view: &OrbitView, at: Pos2) -> Option<DVec3> {
+    let surface = model.surface(side)?.0.surface()?;
+    let (eye, direction) = view.ray(at)?;
+    surface.tree().ray(eye, direction).map(|(point, _)| surface.position(point))
+}
+
+/// Draws the painted region over the triangles that face the eye.
+pub fn paint_region(ui: &Ui, side: Side, model: &Model, view: &OrbitView) {
+    let Some((surface, camera)) = model.surface(side).and_then(|it| it.0.surface()).zip(view.camera()) else { return };
+    if side != Side::Source || model.best().aim() != Aim::Region {
+        return;
+    }
+    let (mesh, eye) = (surface.mesh(), camera.eye());
+    let on_screen = |t: usize| {
+        let [a, b, c] = mesh.triangles()[t].map(|v| mesh.vertices()[v as usize]);
+        let faces = (b - a).cross(c - a).dot(eye - a) > 0.0;
+        Some([view.to_screen(a)?, view.to_screen(b)?, view.to_screen(c)?]).filter(|_| faces)
+    };
+    best::paint_triangles(ui, view.rect, model, mesh.triangles().len(), on_screen);
 }
 
 fn anchor_at(side: Side, model: &Model, view: &OrbitView, at: Pos2) -> Option<f64> {

@@ -47,6 +47,57 @@ impl Moebius {
         Self { a: self.a * first.a + self.b * first.b.conj(), b: self.a * first.b + self.b * first.a.conj() }
     }
 
+    /// The turn z ↦ e^{i turn} z about 0.
+    pub fn turn(turn: f64) -> Self {
+        Self { a: Complex64::from_polar(1.0, 0.5 * turn), b: Complex64::ZERO }
+    }
+
+    /// The map onto itself without turn that takes `point` to 0, z ↦ (z − p)/(1 − p̄ z); `None` unless |p| < 1.
+    pub fn to_middle(point: Complex64) -> Option<Self> {
+        Self::small(0.0, -point)
+    }
+
+    /// The point half way, by the disk's own distance, from 0 to a point of the disk.
+    pub fn half_way(point: Complex64) -> Complex64 {
+        point / (1.0 + (1.0 - point.norm_sqr()).max(0.0).sqrt())
+    }
+
+    /// The point at the share `t` of the shortest way from one point of the disk to another, by the disk's own distance;
+    /// `None` if one is on the circle.
+    pub fn along(from: Complex64, to: Complex64, t: f64) -> Option<Complex64> {
+        let middle = Self::to_middle(from)?;
+        let whole = middle.image(to);
+        if !(whole.norm() < 1.0) {
+            return None;
+        }
+        let part = (t * whole.norm().atanh()).tanh();
+        Some(middle.inverse().image(if whole.norm() > 0.0 { whole * (part / whole.norm()) } else { whole }))
+    }
+
+    /// How far this map is from another one: how far the one after the inverse of the other moves 0, by the disk's own
+    /// distance 2 artanh |z|, plus the angle by which it turns there.
+    pub fn distance(&self, other: &Self) -> f64 {
+        let between = self.inverse().after(other);
+        let turn = (2.0 * between.a.arg()).rem_euclid(TAU);
+        2.0 * between.b.norm().asinh() + turn.min(TAU - turn)
+    }
+
+    /// The inverse map.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        Self { a: self.a.conj(), b: -self.b }
+    }
+
+    /// The image of any point of the closed disk.
+    pub fn image(&self, z: Complex64) -> Complex64 {
+        (self.a * z + self.b) / (self.b.conj() * z + self.a.conj())
+    }
+
+    /// The logarithm of the absolute derivative at a point of the closed disk: −2 ln |b̄ z + ā|.
+    pub fn log_scale(&self, z: Complex64) -> f64 {
+        -(self.b.conj() * z + self.a.conj()).norm_sqr().ln()
+    }
+
     /// The image of the point of the circle at the angle 2πω, as such an ω modulo 1.
     pub fn omega(&self, omega: f64) -> f64 {
         self.apply(Complex64::from_polar(1.0, TAU * omega)).arg() / TAU
@@ -54,7 +105,7 @@ impl Moebius {
 
     /// The image of a point of the circle.
     pub fn apply(&self, z: Complex64) -> Complex64 {
-        let image = (self.a * z + self.b) / (self.b.conj() * z + self.a.conj());
+        let image = self.image(z);
         image / image.norm()
     }
 }
@@ -66,6 +117,25 @@ mod tests {
 
     fn circle(angles: [f64; 3]) -> [Complex64; 3] {
         angles.map(|angle| Complex64::from_polar(1.0, angle))
+    }
+
+    #[test]
+    fn a_map_and_its_inverse_are_the_identity_and_its_scale_is_that_of_its_images() {
+        let map = Moebius::small(1.2, Complex64::new(-0.5, 0.7)).unwrap();
+        let identity = map.inverse().after(&map);
+        let z = Complex64::new(0.3, -0.8);
+        assert!((identity.image(z) - z).norm() < 1e-15 && identity.distance(&Moebius::turn(TAU)) < 1e-15);
+        let h = Complex64::new(1e-6, 0.0);
+        let slope = (map.image(z + h) - map.image(z - h)).norm() / 2e-6;
+        assert!((slope.ln() - map.log_scale(z)).abs() < 1e-9, "{slope}");
+        let half = Moebius::half_way(z);
+        let left = Moebius::to_middle(half).unwrap().image(z).norm();
+        assert!((left - half.norm()).abs() < 1e-15, "{left} is left of {half}");
+        let part = Moebius::along(z, Complex64::new(-0.2, 0.1), 0.25).unwrap();
+        let far = |w: Complex64| Moebius::to_middle(z).unwrap().image(w).norm().atanh();
+        assert!((far(part) - 0.25 * far(Complex64::new(-0.2, 0.1))).abs() < 1e-14, "{part}");
+        let moved = Moebius::to_middle(z).unwrap().distance(&Moebius::turn(0.0));
+        assert!((moved - 2.0 * z.norm().atanh()).abs() < 1e-14, "{moved}");
     }
 
     #[test]

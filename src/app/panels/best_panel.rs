@@ -1,0 +1,154 @@
+//! The best map: its criterion, the region that is painted, the search with its course, and the landscape.
+
+use crate::app::input::action::{Action, Actions};
+use crate::app::theme::Palette;
+use crate::app::theme::explained::explained_heading;
+use crate::app::theme::widgets::{Segment, caption_font, captioned_slider, segmented};
+use crate::conformal::Side;
+use crate::language::{Label, Message, key, number, say, tr};
+use crate::model::Model;
+use crate::model::best::{Aim, BRUSHES, BestAction, BestMap, Outcome};
+use crate::session::Command;
+use egui::{Align2, Button, CornerRadius, ProgressBar, RichText, Sense, Stroke, Ui, pos2, vec2};
+
+const AIMS: [Segment<Aim>; 4] = [
+    Segment { value: Aim::Area, label: key::aim_area(), tooltip: key::aim_area_tooltip() },
+    Segment { value: Aim::Scale, label: key::aim_scale(), tooltip: key::aim_scale_tooltip() },
+    Segment { value: Aim::Region, label: key::aim_region(), tooltip: key::aim_region_tooltip() },
+    Segment { value: Aim::Symmetry, label: key::aim_symmetry(), tooltip: key::aim_symmetry_tooltip() },
+];
+
+/// The height of the plot of a search's course, in points.
+const COURSE_HEIGHT: f32 = 64.0;
+
+/// Shows the group; nothing before the first map.
+pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
+    if model.map().is_none() {
+        return;
+    }
+    let best = model.best();
+    explained_heading(ui, tr(key::best_map()), key::explain_best_map());
+    let mut push = |action| actions.push(Action::Best(action));
+    if let Some(aim) = segmented(ui, &AIMS, best.aim()) {
+        push(BestAction::Aim(aim));
+    }
+    landscape(ui, model, &mut push);
+    if best.aim() == Aim::Region {
+        region(ui, model, actions);
+    }
+    search(ui, model, actions);
+}
+
+/// Search under way, result and error.
+fn search(ui: &mut Ui, model: &Model, actions: &mut Actions) {
+    let best = model.best();
+    if let Some((done, course)) = best.progress() {
+        ui.horizontal(|ui| {
+            if ui.button(tr(key::cancel())).on_hover_text(tr(key::cancel_best_tooltip())).clicked() {
+                actions.push(Action::Best(BestAction::Cancel));
+            }
+            ui.add(ProgressBar::new(done as f32).desired_height(8.0).corner_radius(CornerRadius::same(4)));
+        });
+        paint_course(ui, course);
+        return;
+    }
+    let button = ui.add_enabled(model.can_search() && !best.is_moving(), Button::new(tr(key::find_best())));
+    let button = button.on_hover_text(tr(key::find_best_tooltip())).on_disabled_hover_text(tr(why_not(best)));
+    if button.clicked() {
+        actions.push(Action::Best(BestAction::Start));
+    }
+    if let Some(outcome) = best.outcome() {
+        ui.label(say(&said(outcome)));
+        paint_course(ui, &outcome.course);
+    }
+    if let Some(error) = best.error() {
+        ui.label(RichText::new(say(error)).color(ui.visuals().error_fg_color));
+    }
+}
+
+fn why_not(best: &BestMap) -> Label {
+    match best.aim() {
+        Aim::Region => key::region_is_empty(),
+        Aim::Symmetry => key::symmetry_of_outlines(),
+        Aim::Area | Aim::Scale => key::being_prepared(),
+    }
+}
+
+/// A result in words.
+pub fn said(outcome: &Outcome) -> Message {
+    let [before, after] = [outcome.before, outcome.after].map(|value| number(value, 4));
+    match outcome.aim {
+        _ if outcome.after >= outcome.before => key::best_already(after, outcome.evaluations),
+        Aim::Area => key::best_area(before, after, outcome.evaluations),
+        Aim::Scale => key::best_scale(before, after, outcome.evaluations),
+        Aim::Symmetry => key::best_symmetry(before, after, outcome.evaluations),
+        Aim::Region => key::best_region(before, after, outcome.evaluations),
+    }
+}
+
+fn landscape(ui: &mut Ui, model: &Model, push: &mut dyn FnMut(BestAction)) {
+    let is_planar = model.abilities().has_outline(Side::Source);
+    let mut shown = is_planar && model.best().asks_for_landscape();
+    let box_ = ui.add_enabled(is_planar, egui::Checkbox::new(&mut shown, tr(key::landscape())));
+    let box_ = box_.on_hover_text(tr(key::landscape_tooltip())).on_disabled_hover_text(tr(key::landscape_of_surface()));
+    if box_.changed() {
+        push(BestAction::Landscape(shown));
+    }
+}
+
+/// The brush, its size, and a button that clears the region.
+fn region(ui: &mut Ui, model: &Model, actions: &mut Actions) {
+    let best = model.best();
+    let mut paints = best.is_painting();
+    if ui.checkbox(&mut paints, tr(key::brush())).on_hover_text(tr(key::brush_tooltip())).changed() {
+        actions.push(Action::Best(BestAction::Paint(paints)));
+    }
+    let shown = format!("{} %", number(100.0 * best.brush(), 0));
+    if let Some(radius) = captioned_slider(ui, tr(key::brush_size()), &shown, best.brush(), BRUSHES, true) {
+        actions.push(Action::Best(BestAction::Brush(radius)));
+    }
+    // what the keyboard can do instead
+    let here = model.source_point_in_space().and_then(|at| model.region_with([at]));
+    let dab = ui.add_enabled(here.is_some(), Button::new(tr(key::paint_here())));
+    let dab = dab.on_hover_text(tr(key::paint_here_tooltip())).on_disabled_hover_text(tr(key::painted_here()));
+    if dab.clicked() {
+        actions.extend(here.map(|region| Action::Session(Command::SetRegion(region))));
+    }
+    let has_region = !model.session().region().is_empty();
+    let clear = ui.add_enabled(has_region, Button::new(tr(key::clear_region())));
+    if clear.on_hover_text(tr(key::clear_region_tooltip())).clicked() {
+        actions.push(Action::Session(Command::SetRegion(Vec::new())));
+    }
+}
+
+/// The least value against the number of values; both axes end at the data, the vertical one is logarithmic.
+fn paint_course(ui: &mut Ui, course: &[(usize, f64)]) {
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), COURSE_HEIGHT), Sense::hover());
+    response.on_hover_text(tr(key::course_tooltip()));
+    let palette = Palette::of(ui.visuals());
+    let painter = ui.painter_at(rect);
+    painter.rect_stroke(rect, CornerRadius::same(4), Stroke::new(1.0, palette.border), egui::StrokeKind::Inside);
+    let known: Vec<(usize, f64)> =
+        course.iter().copied().filter(|(_, value)| value.is_finite() && *value > 0.0).collect();
+    let (Some(&(last, _)), Some(least), Some(most)) = (
+        known.last(),
+        known.iter().map(|point| point.1).reduce(f64::min),
+        known.iter().map(|point| point.1).reduce(f64::max),
+    ) else {
+        return;
+    };
+    let inner = rect.shrink2(vec2(6.0, 8.0));
+    let span = (most / least).ln().max(1e-3);
+    let place = |&(count, value): &(usize, f64)| {
+        let x = count as f32 / last.max(1) as f32;
+        pos2(inner.left() + x * inner.width(), inner.bottom() - ((value / least).ln() / span) as f32 * inner.height())
+    };
+    let steps = known.windows(2).flat_map(|pair| [place(&pair[0]), pos2(place(&pair[1]).x, place(&pair[0]).y)]);
+    let line = steps.chain(known.last().map(place)).collect();
+    painter.line(line, Stroke::new(1.5, palette.accent_soft));
+    let font = caption_font(ui);
+    let corners = [(Align2::RIGHT_TOP, inner.right_top(), most), (Align2::RIGHT_BOTTOM, inner.right_bottom(), least)];
+    for (align, at, value) in corners {
+        painter.text(at, align, number(value, 3).to_string(), font.clone(), palette.weak);
+    }
+}

@@ -1,0 +1,129 @@
+//! The landscape as it is drawn: a rank of each vertex for its color, and level lines.
+//!
+//! It depends on the sides, on all constraints but x₁, on the direction and the criterion, and is computed anew when one of
+//! them has changed; while x₁ is dragged it stays.
+
+use super::SLICE_MS;
+use crate::conformal::{Constraints, Direction, MeshedDomain, PerSide, PreparedSide, Side};
+use crate::geometry::DVec2;
+use crate::laplace::Deadline;
+use crate::model::Model;
+use crate::optimization::{Criterion, Landscape};
+use std::sync::{Arc, Weak};
+
+/// Level lines, at equal steps of rank: a twelfth of the vertices lies between two of them.
+const LEVELS: usize = 11;
+
+/// A level line and the value there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    /// The criterion.
+    pub value: f64,
+    /// Segments.
+    pub line: Vec<[DVec2; 2]>,
+}
+
+/// A complete landscape.
+#[derive(Debug)]
+pub struct Landscapes {
+    landscape: Landscape,
+    ranks: Vec<f32>,
+    levels: Vec<Level>,
+}
+
+impl Landscapes {
+    fn new(landscape: Landscape) -> Self {
+        let mut sorted: Vec<f64> = landscape.values().iter().copied().filter(|value| value.is_finite()).collect();
+        sorted.sort_by(f64::total_cmp);
+        let count = sorted.len().max(1) as f32;
+        let rank = |value: &f64| sorted.partition_point(|known| known < value) as f32 / count;
+        let ranks = landscape.values().iter().map(rank).collect();
+        let level = |k: usize| sorted.get(k * sorted.len() / (LEVELS + 1)).copied();
+        let levels = (1..=LEVELS).filter_map(level).map(|value| Level { value, line: landscape.level_line(value) });
+        Self { levels: levels.collect(), ranks, landscape }
+    }
+
+    /// The source whose vertices the ranks belong to.
+    pub fn domain(&self) -> &MeshedDomain {
+        self.landscape.domain()
+    }
+
+    /// By vertex the share of vertices with a lesser value, from 0 to 1.
+    pub fn ranks(&self) -> &[f32] {
+        &self.ranks
+    }
+
+    /// Level lines, from below.
+    pub fn levels(&self) -> &[Level] {
+        &self.levels
+    }
+
+    /// The place of the least value, and that value.
+    pub fn lowest(&self) -> Option<(DVec2, f64)> {
+        self.landscape.lowest()
+    }
+}
+
+/// What a landscape belongs to.
+#[derive(Debug, Clone)]
+struct Origin {
+    sides: PerSide<Weak<PreparedSide>>,
+    criterion: Criterion,
+    /// With x₁ of the source's default point.
+    constraints: Constraints,
+    direction: Direction,
+}
+
+impl PartialEq for Origin {
+    fn eq(&self, other: &Self) -> bool {
+        Side::BOTH.into_iter().all(|side| self.sides[side].ptr_eq(&other.sides[side]))
+            && (&self.criterion, self.constraints, self.direction)
+                == (&other.criterion, other.constraints, other.direction)
+    }
+}
+
+/// The landscape that is asked for, under way or complete.
+#[derive(Debug, Default)]
+pub(super) struct Relief {
+    pub is_asked: bool,
+    origin: Option<Origin>,
+    coming: Option<Landscape>,
+    complete: Option<Landscapes>,
+}
+
+impl Relief {
+    pub fn shown(&self) -> Option<&Landscapes> {
+        self.complete.as_ref().filter(|_| self.is_asked)
+    }
+}
+
+impl Model {
+    /// Continues the landscape, if it is asked for; returns whether it is incomplete.
+    pub(super) fn advance_relief(&mut self) -> bool {
+        if !self.best.relief.is_asked || !self.is_mapped() || self.best.search.is_some() {
+            return false;
+        }
+        let Some((sides, constraints)) = self.both_sides().zip(self.constraints()) else { return false };
+        let constraints = constraints.with_point(Side::Source, sides.source.default_point());
+        let direction = self.session.direction();
+        let Ok(criterion) = self.criterion() else {
+            self.best.relief.complete = None;
+            return false;
+        };
+        let weak = sides.as_ref().map(Arc::downgrade);
+        let origin = Origin { sides: weak, criterion: criterion.clone(), constraints, direction };
+        if self.best.relief.origin.as_ref() != Some(&origin) {
+            let mapped = self.map().map_or(direction.mapped_side(), |map| map.mapped_side());
+            let coming = Landscape::new(&sides, criterion, constraints, mapped).ok();
+            self.best.relief = Relief { is_asked: true, origin: Some(origin), coming, complete: None };
+        }
+        let relief = &mut self.best.relief;
+        let Some(mut landscape) = relief.coming.take() else { return false };
+        if landscape.advance(Deadline::in_ms(SLICE_MS)) {
+            relief.complete = Some(Landscapes::new(landscape));
+        } else {
+            relief.coming = Some(landscape);
+        }
+        true
+    }
+}

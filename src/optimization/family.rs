@@ -1,0 +1,193 @@
+//! All conformal maps of one side onto another, in closed form: f = g₂⁻¹ ∘ T ∘ g₁ with the sides' maps g₁, g₂ to the unit
+//! disk and a Möbius map T of the disk onto itself, so that
+//!
+//! ln |f′| = ln |g₁′| + ln |T′| ∘ g₁ − ln |g₂′| ∘ f.
+//!
+//! The criterion is summed over triangles of one side: that whose mesh is mapped or, for a region, the source. Many
+//! triangles are represented by some of them at equal steps of area. g₁, g₂ come from finite elements: values are those of
+//! the map up to their error (1 % with the usual meshes), which is why the best map is measured as a whole.
+
+use super::chart::Chart;
+use super::statistics::{Scales, thinned};
+use super::symmetry::Images;
+use super::{Criterion, SharedSymmetries};
+use crate::conformal::{Constraints, InteriorPoint, Moebius, PerSide, Side};
+use crate::geometry::{DVec2, DVec3};
+use crate::mesh::TriangleId;
+use num_complex::Complex64;
+
+/// The least distance from the circle, in the disk, of the image of a point that is moved there: with less, f64 leaves
+/// fewer than four digits to a Möbius map's scale.
+const LEAST_DISTANCE: f64 = 1e-11;
+
+/// A point whose image is farther than this from the middle is replaced by one half way where it is the point that stays.
+const FAR: f64 = 0.98;
+
+/// Both charts and what the criterion is summed over.
+#[derive(Debug)]
+pub struct Family {
+    charts: PerSide<Chart>,
+    criterion: Criterion,
+    /// The side whose triangles are summed over.
+    side: Side,
+}
+
+/// Triangles of a side, each with the last triangle of the other side in which its image was found.
+#[derive(Debug, Clone, Default)]
+pub struct Nodes {
+    nodes: Vec<Node>,
+    scales: Scales,
+}
+
+#[derive(Debug, Clone)]
+struct Node {
+    image: Complex64,
+    scale: f64,
+    weight: f64,
+    near: TriangleId,
+    /// The images of the places to which the side's symmetries move it.
+    moved: Vec<Option<Complex64>>,
+}
+
+impl Nodes {
+    /// Whether there is nothing to sum over.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+}
+
+impl Family {
+    /// The family over both charts; `mapped` is the side whose mesh is mapped.
+    pub fn new(charts: PerSide<Chart>, criterion: Criterion, mapped: Side) -> Self {
+        let side = if criterion.region().is_some() { Side::Source } else { criterion.mapped().unwrap_or(mapped) };
+        Self { charts, criterion, side }
+    }
+
+    /// Triangles that stand for all, about `most` of them at most.
+    pub fn nodes(&self, most: usize) -> Nodes {
+        let chart = &self.charts[self.side];
+        let weighted = chart.triangles().map(|(t, area)| {
+            let share = self.criterion.region().map_or(1.0, |region| region.share(chart.corners(t)));
+            (t, share * area)
+        });
+        let nodes = thinned(weighted.filter(|(_, weight)| *weight > 0.0).collect(), most);
+        let node = |(t, weight)| {
+            let (image, scale) = chart.at_middle(t);
+            let motions = self.criterion.symmetries().into_iter().flat_map(SharedSymmetries::motions);
+            let middle = chart.corners(t).into_iter().sum::<DVec3>().truncate() / 3.0;
+            let moved = motions.map(|motion| chart.image(motion.moved(middle).into())).collect();
+            Node { image, scale, weight, near: TriangleId::new(0), moved }
+        };
+        Nodes { nodes: nodes.into_iter().map(node).collect(), scales: Scales::default() }
+    }
+
+    /// The criterion for the map with T from the source's disk onto the target's; infinite where it has none.
+    pub fn value(&self, nodes: &mut Nodes, map: &Moebius) -> f64 {
+        let map = if self.side == Side::Source { *map } else { map.inverse() };
+        let other = &self.charts[self.side.other()];
+        nodes.scales.clear();
+        for node in &mut nodes.nodes {
+            let Some(found) = other.locate(map.image(node.image), node.near) else { continue };
+            node.near = found.triangle();
+            nodes.scales.push(node.scale + map.log_scale(node.image) - other.scale(found), node.weight);
+        }
+        let value = self.criterion.of(&mut nodes.scales).unwrap_or(f64::INFINITY);
+        value + self.criterion.symmetries().map_or(0.0, |shared| mismatch(shared, &nodes.nodes, other, &map))
+    }
+
+    /// T of the map with these constraints; `None` if a point is not inside of its side's mesh.
+    pub fn moebius(&self, constraints: &Constraints) -> Option<Moebius> {
+        let to_middle = |side: Side| {
+            let map = Moebius::to_middle(self.charts[side].image(constraints.points[side])?)?;
+            let anchor = map.apply(self.charts[side].on_circle(constraints.anchors[side]));
+            Some((map, anchor))
+        };
+        let (source, target) = (to_middle(Side::Source)?, to_middle(Side::Target)?);
+        let turn = Moebius::turn((target.1 / source.1).arg());
+        Some(target.0.inverse().after(&turn).after(&source.0))
+    }
+
+    /// T that takes a point of the source's disk to one of the target's, turned by an angle.
+    pub fn through(pair: PerSide<Complex64>, turn: f64) -> Option<Moebius> {
+        let (source, target) = (Moebius::to_middle(pair.source)?, Moebius::to_middle(pair.target)?);
+        Some(target.inverse().after(&Moebius::turn(turn)).after(&source))
+    }
+
+    /// Places of a side's disk, evenly spread over the side's area.
+    pub fn spread(&self, side: Side, count: usize) -> Vec<Complex64> {
+        let chart = &self.charts[side];
+        let chosen = thinned(chart.triangles().collect(), count);
+        let places = chosen.into_iter().map(|(t, _)| chart.at_middle(t).0);
+        places.filter(|place| place.norm() < 1.0 - LEAST_DISTANCE).collect()
+    }
+
+    /// The point that stays while maps near `map` are tried, beginning at `start`: the target's, or the source's if the
+    /// source is a surface over an outline; where its partner would be next to the boundary, one half way.
+    pub fn staying(&self, start: &Constraints, map: &Moebius) -> Staying {
+        let is_surface = |side: Side| self.charts[side].prepared().is_surface();
+        let side = if is_surface(Side::Source) && !is_surface(Side::Target) { Side::Source } else { Side::Target };
+        let at = self.charts[side].image(start.points[side]).unwrap_or_default();
+        let onto = |side: Side| if side == Side::Source { *map } else { map.inverse() };
+        let stays = Staying { side, at, point: Some(start.points[side]), anchor: start.anchors.source };
+        if at.norm() <= FAR && onto(side).image(at).norm() <= FAR {
+            return stays;
+        }
+        let half = Moebius::half_way(onto(side).inverse().image(Complex64::ZERO));
+        Staying { at: half, point: self.charts[side].point(half, TriangleId::new(0)), ..stays }
+    }
+
+    /// The constraints of the map with T; `None` if its moving point is next to the boundary.
+    pub fn constraints(&self, map: &Moebius, stays: &Staying) -> Option<Constraints> {
+        let (side, other) = (stays.side, stays.side.other());
+        let onto = if side == Side::Source { *map } else { map.inverse() };
+        let image = Some(onto.image(stays.at)).filter(|image| image.norm() < 1.0 - LEAST_DISTANCE)?;
+        let (fixed, moving) = (stays.point?, self.charts[other].point(image, TriangleId::new(0))?);
+        let anchor = self.charts.target.fraction(map.apply(self.charts.source.on_circle(stays.anchor)));
+        let points = PerSide::from_fn(|at| if at == side { fixed } else { moving });
+        Some(Constraints::new((points.source, stays.anchor), (points.target, anchor)))
+    }
+
+    /// Constraints between two others: points go along the disks' shortest ways, boundary points along the shorter arcs.
+    pub fn between(&self, from: &Constraints, to: &Constraints, t: f64) -> Option<Constraints> {
+        let place = |side: Side| {
+            let chart = &self.charts[side];
+            let [a, b] = [from, to].map(|at| chart.image(at.points[side]));
+            let point = chart.point(Moebius::along(a?, b?, t)?, TriangleId::new(0))?;
+            let [a, b] = [from, to].map(|at| chart.on_circle(at.anchors[side]));
+            Some((point, chart.fraction(a * Complex64::from_polar(1.0, t * (b / a).arg()))))
+        };
+        Some(Constraints::new(place(Side::Source)?, place(Side::Target)?))
+    }
+
+    /// Turns of either disk about its middle within a map, so that it takes one boundary point to the other: equally good
+    /// maps if the side is a disk with its default point in the middle.
+    pub fn turned(&self, map: &Moebius, anchors: PerSide<f64>) -> [Moebius; 2] {
+        let at = PerSide::from_fn(|side| self.charts[side].on_circle(anchors[side]));
+        let after = Moebius::turn((at.target / map.apply(at.source)).arg());
+        let before = Moebius::turn((map.inverse().apply(at.target) / at.source).arg());
+        [after.after(map), map.after(&before)]
+    }
+}
+
+/// The mismatch of the map with T from the nodes' disk onto the other side's.
+fn mismatch(shared: &SharedSymmetries, nodes: &[Node], other: &Chart, map: &Moebius) -> f64 {
+    let place = |image: Complex64, near| other.point(map.image(image), near).and_then(InteriorPoint::in_plane);
+    let places: Vec<_> = nodes.iter().map(|node| place(node.image, node.near)).collect();
+    let images = |k: usize| {
+        let of_node = |(node, at): (&Node, &Option<DVec2>)| {
+            let moved = place(node.moved[k]?, node.near)?;
+            Some(Images { place: (*at)?, moved, weight: node.weight })
+        };
+        nodes.iter().zip(&places).filter_map(of_node).collect()
+    };
+    shared.mismatch(images).unwrap_or(f64::INFINITY)
+}
+
+/// What stays while maps are tried: a point of one side, and the source's boundary point.
+#[derive(Debug, Clone, Copy)]
+pub struct Staying {
+    side: Side,
+    at: Complex64,
+    point: Option<InteriorPoint>,
+    anchor: f64,
+}

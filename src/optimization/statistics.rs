@@ -1,0 +1,120 @@
+//! Statistics of a local scale: values with weights; triangles that stand for all.
+
+/// The share of the weight that a [`spread`] leaves out at each end.
+pub const LEFT_OUT: f64 = 0.01;
+
+/// ln of the local scale |f′| at places of a domain, with their weights (areas, ≥ 0).
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Scales {
+    values: Vec<(f64, f64)>,
+}
+
+impl Scales {
+    /// Drops all values.
+    pub fn clear(&mut self) {
+        self.values.clear();
+    }
+
+    /// Adds a value; one without weight, or not finite, is left out.
+    pub fn push(&mut self, ln_scale: f64, weight: f64) {
+        if weight > 0.0 && ln_scale.is_finite() {
+            self.values.push((ln_scale, weight));
+        }
+    }
+
+    fn weight(&self) -> f64 {
+        self.values.iter().map(|(_, weight)| weight).sum()
+    }
+
+    /// The weighted mean of (ln σ₁σ₂)² with σ₁ = σ₂ = |f′|, after the best common scale: the variance of 2 ln |f′|.
+    /// `None` without weight.
+    pub fn variance(&self) -> Option<f64> {
+        let total = self.weight();
+        let mean = self.values.iter().map(|(value, weight)| weight * value).sum::<f64>() / total;
+        let squares = self.values.iter().map(|(value, weight)| weight * (value - mean) * (value - mean)).sum::<f64>();
+        Some(4.0 * squares / total).filter(|variance| variance.is_finite())
+    }
+
+    /// The ratio of the largest to the least scale after [`LEFT_OUT`] of the weight at either end: both quantiles are
+    /// interpolated linearly between the middles of the values' weights. `None` without weight. Sorts the values.
+    pub fn spread(&mut self) -> Option<f64> {
+        let total = self.weight();
+        self.values.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let low = self.quantile(LEFT_OUT * total)?;
+        Some((self.quantile((1.0 - LEFT_OUT) * total)? - low).exp())
+    }
+
+    /// The sorted values at this weight from below.
+    fn quantile(&self, at: f64) -> Option<f64> {
+        let mut before: Option<(f64, f64)> = None;
+        let mut sum = 0.0;
+        for &(value, weight) in &self.values {
+            let middle = sum + 0.5 * weight;
+            if middle >= at {
+                return Some(
+                    before.map_or(value, |(known, from)| known + (value - known) * (at - from) / (middle - from)),
+                );
+            }
+            before = Some((value, middle));
+            sum += weight;
+        }
+        before.map(|(value, _)| value)
+    }
+}
+
+/// Of weighted triangles about `most`, at equal steps of weight, with equal weights; all if they are not more.
+pub fn thinned(all: Vec<(usize, f64)>, most: usize) -> Vec<(usize, f64)> {
+    if all.len() <= most {
+        return all;
+    }
+    let total: f64 = all.iter().map(|(_, weight)| weight).sum();
+    let step = total / most as f64;
+    let mut sum = 0.0;
+    let mut next = 0.5 * step;
+    let mut chosen = Vec::with_capacity(most);
+    for (t, weight) in all {
+        sum += weight;
+        if sum >= next {
+            // a large triangle stands for several steps
+            let steps = ((sum - next) / step).floor() + 1.0;
+            chosen.push((t, steps * step));
+            next += steps * step;
+        }
+    }
+    chosen
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    fn scales(values: impl IntoIterator<Item = (f64, f64)>) -> Scales {
+        let mut scales = Scales::default();
+        values.into_iter().for_each(|(value, weight)| scales.push(value, weight));
+        scales
+    }
+
+    #[test]
+    fn the_variance_is_that_of_the_logarithm_of_area_and_a_common_scale_does_not_matter() {
+        // ln σ₁σ₂ = ±2 with weights 3 : 1 has mean 1 and variance 3
+        for shift in [0.0, 5.0, -700.0] {
+            let found = scales([(1.0 + shift, 3.0), (-1.0 + shift, 1.0)]).variance().unwrap();
+            assert!((found - 3.0).abs() < 1e-9, "{found}");
+        }
+        assert_eq!((scales([]).variance(), scales([]).spread()), (None, None));
+        assert_eq!((scales([(1.0, 0.0)]).variance(), scales([(f64::NAN, 1.0)]).spread()), (None, None));
+    }
+
+    /// Of a uniform distribution of ln |f′| over an interval of length 1, 98 % of the weight spans 0.98.
+    #[test]
+    fn the_spread_leaves_out_a_hundredth_at_either_end_however_the_weight_is_divided() {
+        for count in [50, 1000, 7919] {
+            let n = f64::from(count);
+            let uniform = scales((0..count).rev().map(|k| ((f64::from(k) + 0.5) / n, 1.0 / n))).spread().unwrap();
+            assert!((uniform.ln() - 0.98).abs() < 1e-12, "{count}: {}", uniform.ln());
+        }
+        let outliers = scales([(-500.0, 0.004), (0.0, 0.6), (0.0, 0.392), (300.0, 0.004)]).spread().unwrap();
+        assert!(outliers < 1e3, "{outliers}");
+    }
+}

@@ -1,0 +1,30 @@
+//! Real meshes.
+
+use super::support::data::shared;
+use super::through_disk::{Disk, distortion};
+use super::{best, defaults, outline};
+use riemap::conformal::{Direction, PerSide, PreparedSide, SurfaceSettings, prepare_surface};
+use riemap::optimization::Criterion;
+use riemap::outline::Preset;
+use riemap::surface::{SurfaceMesh, read_surface};
+use std::sync::Arc;
+
+fn prepared(name: &str) -> Arc<PreparedSide> {
+    let surface = read_surface(name, &std::fs::read(shared(&format!("meshes/{name}"))).unwrap()).unwrap();
+    let mesh = SurfaceMesh::repaired(&surface).unwrap();
+    Arc::new(prepare_surface(mesh, SurfaceSettings::default(), &mut |_| ()).unwrap())
+}
+
+#[test]
+#[ignore = "needs ../shared/data"]
+fn meshes_over_the_disk_are_mapped_as_well_as_by_the_best_moebius_transformation() {
+    for name in ["cowhead.obj", "face.obj"] {
+        let surface = prepared(name);
+        let mesh = surface.surface().unwrap().mesh();
+        let baseline = Disk::of(&surface).best(|images| distortion(mesh, images));
+        let sides = PerSide::new(outline(Preset::Disk), Arc::clone(&surface));
+        let found = best(&sides, Criterion::Area, &defaults(&sides), Direction::Backward);
+        println!("{name}, {} vertices: {:.6}, through the disk {baseline:.6}", mesh.vertices().len(), found.after);
+        assert!(found.after <= baseline * 1.01 && found.after <= found.before);
+    }
+}
