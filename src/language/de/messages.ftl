@@ -560,3 +560,8 @@ vertex_beyond = Dreieck { $triangle } { $corners } nennt eine Ecke jenseits der 
 device_gone = das Gerät ist nicht mehr da
 too_few_bytes = weniger Byte als { $width } × { $height } Pixel
 scene_radius = x₁ = { $radius }
+
+## tiling
+tiling_out_of_range = { "{" }{ $sides }, { $around }{ "}" }: Beide Zahlen müssen zwischen { $low } und { $high } liegen
+tiling_on_sphere = { "{" }{ $sides }, { $around }{ "}" } lebt auf der Kugel ({ $solid }). Bitte größere Zahlen; das Bild behält sein Parkett
+tiling_in_plane = { "{" }{ $sides }, { $around }{ "}" } lebt in der Ebene, wo solche Steine lückenlos passen. Bitte größere Zahlen; das Bild behält sein Parkett

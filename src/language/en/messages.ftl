@@ -560,3 +560,8 @@ vertex_beyond = triangle { $triangle } { $corners } names a vertex beyond the { 
 device_gone = the device has gone away
 too_few_bytes = fewer bytes than { $width } × { $height } pixels
 scene_radius = x₁ = { $radius }
+
+## tiling
+tiling_out_of_range = { "{" }{ $sides }, { $around }{ "}" }: both numbers must be from { $low } to { $high }
+tiling_on_sphere = { "{" }{ $sides }, { $around }{ "}" } lives on the sphere: it is the { $solid }. Choose larger numbers; the picture keeps its tiling
+tiling_in_plane = { "{" }{ $sides }, { $around }{ "}" } lives in the plane, where such tiles fit without gaps. Choose larger numbers; the picture keeps its tiling

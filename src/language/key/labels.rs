@@ -175,6 +175,11 @@ keys_of_labels! {
     frame_tooltip, source, target, stage_sample, stage_assemble, stage_order, stage_table, waiting_worker,
     reading, sampling_boundary, triangulating, assembling_laplacian, ordering, factoring, solved_iteratively,
     mesh_is_coarser,
+    // tiling
+    tiling, tiling_tooltip, tiling_heading, explain_tiling, tile_sides, tile_sides_tooltip, tiles_at_corner,
+    tiles_at_corner_tooltip, tiling_tiles, tiling_tiles_tooltip, tiling_edges, tiling_edges_tooltip, tiling_triangles,
+    tiling_triangles_tooltip, tiling_picture, tiling_picture_tooltip, hyperbolic_tiles, hyperbolic_tiles_about, tetrahedron,
+    octahedron, cube, icosahedron, dodecahedron,
 }
 
 keys_of_messages! {
@@ -226,4 +231,6 @@ keys_of_messages! {
     edited_name(name); harmonic_coordinates(percent); cauchy_green_cpu_at(percent);
     sizes(boundary, interior, duration); surface_sizes_about(count, shown);
     edges_flipped(count, shown, before, after);
+    // tiling
+    accessible_tiling(sides, around);
 }

@@ -5,8 +5,9 @@ use super::{FileError, OutlineForm};
 use crate::conformal::{Direction, Extension, PerSide, Pins, PrepareSettings, Side};
 use crate::geometry::{DVec2, PicturePlacement};
 use crate::session::limits::{Quantity, within};
-use crate::session::view::Display;
+use crate::session::view::{Display, KeptTiling};
 use crate::session::{Colouring, Comparison, DomainSpec, Session, SideState, SurfaceState, TextureKind};
+use crate::tiling::TilingPattern;
 use serde::{Deserialize, Serialize};
 
 /// A session as written.
@@ -21,6 +22,8 @@ pub(super) struct Written<'a> {
     display: Display,
     #[serde(skip_serializing_if = "Option::is_none")]
     pins: Option<&'a [PerSide<f64>]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tiling: Option<KeptTiling>,
 }
 
 #[derive(Serialize)]
@@ -40,7 +43,8 @@ impl<'a> Written<'a> {
         };
         let (source, target) = (side(Side::Source), side(Side::Target));
         let pins = session.pins().map(Pins::pairs);
-        Self { riemap: is_file.then_some(2), version: 2, source, target, display: session.display, pins }
+        let (display, tiling) = session.display.without_tiling();
+        Self { riemap: is_file.then_some(2), version: 2, source, target, display, pins, tiling }
     }
 }
 
@@ -62,6 +66,7 @@ pub(super) struct Version2 {
     #[serde(default)]
     picture: PicturePlacement,
     pins: Option<Vec<PerSide<f64>>>,
+    tiling: Option<KeptTiling>,
 }
 
 #[derive(Deserialize)]
@@ -86,7 +91,7 @@ impl TryFrom<Version2> for Session {
     fn try_from(form: Version2) -> Result<Self, FileError> {
         within(Quantity::Version, f64::from(form.version), &(2.0..=2.0))?;
         let pins = form.pins.map(Pins::new).transpose().map_err(FileError::Pins)?;
-        Ok(Self {
+        let mut session = Self {
             pins,
             sides: PerSide::new(form.source.checked(Side::Source)?, form.target.checked(Side::Target)?),
             display: Display {
@@ -100,7 +105,12 @@ impl TryFrom<Version2> for Session {
                 plots: form.plots,
                 comparison: form.comparison,
                 picture: form.picture,
+                tiling: TilingPattern::default(),
             },
-        })
+        };
+        if let Some(tiling) = form.tiling {
+            session.display.put_tiling(tiling);
+        }
+        Ok(session)
     }
 }
