@@ -29,6 +29,9 @@ struct Pattern {
     hue_bottom: vec4<f32>,
     // sRGB-encoded
     paper: vec4<f32>,
+    // see tiling.wgsl
+    tiling: vec4<f32>,
+    tile: vec4<f32>,
 }
 
 @group(1) @binding(0) var picture: texture_2d<f32>;
@@ -236,16 +239,25 @@ fn conformal_pattern(source: vec2<f32>, octave: f32) -> vec3<f32> {
     return ruled(depth, share);
 }
 
-fn image_pattern(source: vec2<f32>) -> vec3<f32> {
-    let from_middle = source - view.pattern.placed.xy;
+// A vector in the coordinates of the placed picture.
+fn in_picture(p: vec2<f32>) -> vec2<f32> {
     let right = vec2<f32>(cos(view.pattern.placed.z), sin(view.pattern.placed.z));
-    let turned = vec2<f32>(dot(from_middle, right), dot(from_middle, vec2<f32>(-right.y, right.x)));
-    let uv = turned * view.pattern.image.xy * vec2<f32>(1.0, -1.0) + 0.5;
-    let dx = dpdx(uv);
-    let dy = dpdy(uv);
+    let turned = vec2<f32>(dot(p, right), dot(p, vec2<f32>(-right.y, right.x)));
+    return turned * view.pattern.image.xy * vec2<f32>(1.0, -1.0);
+}
+
+fn image_pattern(source: vec2<f32>) -> vec3<f32> {
+    return picture_at(source, dpdx(source), dpdy(source));
+}
+
+// The picture at a point, with the point's derivatives along the axes of the screen.
+fn picture_at(source: vec2<f32>, along_x: vec2<f32>, along_y: vec2<f32>) -> vec3<f32> {
+    let uv = in_picture(source - view.pattern.placed.xy) + 0.5;
+    let dx = in_picture(along_x);
+    let dy = in_picture(along_y);
     let pixel = max(sqrt(dx * dx + dy * dy), vec2<f32>(1e-9));
     // full up to half a pixel beyond the edge: a picture that ends with the domain has no paper along its boundary
     let share = clamp(1.5 - (abs(uv - 0.5) - 0.5) / pixel, vec2<f32>(0.0), vec2<f32>(1.0));
-    let colour = textureSample(picture, picture_sampler, uv).rgb;
+    let colour = textureSampleGrad(picture, picture_sampler, uv, dx, dy).rgb;
     return mix(colour, paper(), view.pattern.placed.w * (1.0 - share.x * share.y));
 }

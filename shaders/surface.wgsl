@@ -14,19 +14,22 @@ struct Vertex {
     @location(0) source: vec2<f32>,
     @location(1) normal: vec3<f32>,
     @location(2) octave: f32,
+    // the length of an edge of the mesh in the texture
+    @location(3) edge: f32,
 }
 
 @vertex
 fn vs_main(
     @location(0) position: vec4<f32>,
     @location(1) texture_coordinate: vec2<f32>,
-    @location(2) scale: f32,
+    @location(2) scale: vec2<f32>,
 ) -> Vertex {
     var out: Vertex;
     out.clip = view.eye.clip * vec4<f32>(position.xyz, 1.0);
     out.source = texture_coordinate + view.pattern.lookup.xy;
     // a pixel is as long as the distance from the eye, which is w; foreshortening does not change the octave
-    out.octave = octave_at(scale + log2(max(out.clip.w, 1e-6)));
+    out.octave = octave_at(scale.x + log2(max(out.clip.w, 1e-6)));
+    out.edge = scale.y;
     out.normal = view.eye.turn * unpacked_normal(position.w);
     return out;
 }
@@ -58,4 +61,9 @@ fn fs_conformal(in: Vertex, @builtin(front_facing) front: bool) -> @location(0) 
 @fragment
 fn fs_image(in: Vertex, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     return shown(image_pattern(in.source), in, front);
+}
+
+@fragment
+fn fs_tiling(in: Vertex, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+    return shown(tiling_pattern(in.source, in.edge), in, front);
 }

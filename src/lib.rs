@@ -7,8 +7,8 @@
 //! Dependencies between the modules run one way:
 //! `geometry → outline, mesh → surface, laplace → conformal → session, export → figures → language → worker`, then
 //! `render → model → offscreen → platform → cli, app`.
-//! Nine modules are side branches: `boundary_integral` (harmonic measure from the boundary alone, invariants) and
-//! `cauchy_integral` (an analytic function inside of a curve from its values on it) on the level of `mesh`; `drawing` (outlines drawn by hand) on the level of `outline`; `projection` (map projections of least distortion) on that of `surface`; `zipper` (a map
+//! Ten modules are side branches: `boundary_integral` (harmonic measure from the boundary alone, invariants) and
+//! `cauchy_integral` (an analytic function inside of a curve from its values on it) on the level of `mesh`; `drawing` (outlines drawn by hand) and `tiling` (regular tilings of the hyperbolic plane) on the level of `outline`; `projection` (map projections of least distortion) on that of `surface`; `zipper` (a map
 //! through the disk, for comparison, without a mesh) on that of `conformal`; `closed_form` (the presets' maps that are
 //! known exactly), `rational` (maps as formulas) and `optimization` (the best map of a family) on that of `session`; `family` (loops through all maps of one domain
 //! onto another) on that of `export`.
@@ -45,6 +45,7 @@ pub mod projection;
 pub mod rational;
 pub mod session;
 pub mod surface;
+pub mod tiling;
 #[cfg(feature = "io")]
 pub mod worker;
 pub mod zipper;

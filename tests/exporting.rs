@@ -5,10 +5,10 @@
 
 mod support;
 
-use riemap::conformal::Side;
-use riemap::outline;
+use riemap::conformal::{PrepareSettings, Side};
+use riemap::outline::{self, Preset, Sampling};
 use riemap::render::FilmFormat;
-use riemap::session::{Command as Change, Session, SurfaceShape, SurfaceSpec, TextureKind, file, link};
+use riemap::session::{Command as Change, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind, file, link};
 use riemap::surface::{SurfacePreset, read_surface};
 use std::path::Path;
 use support::program::{fails, folder, succeeds};
@@ -191,4 +191,29 @@ fn animations_that_cannot_be_are_refused() {
     fails(&["animate", &link, "--out", "a.gif", "--frames", "1"], 2, &["1 frame:"]);
     fails(&["animate", &link, "--out", "a.gif", "--frames", "100", "--seconds", "1"], 2, &["at most 50"]);
     fails(&["animate", &link, "--out", "a.png", "--path", "sideways"], 2, &["sideways", "boundary"]);
+}
+
+/// As the session's own pattern and by the option: tiles as closed paths on both sides, mirrors as open ones; pictures.
+#[test]
+fn a_tiling_is_written_as_paths_and_pictures() {
+    let folder = folder("tiling");
+    let disks = |side| Change::SetOutline { side, outline: OutlineSpec::Preset(Preset::Disk) };
+    let few = PrepareSettings::default().with_sampling(Sampling::Adaptive { target: Some(250) });
+    let settings = |side| Change::SetSettings { side, settings: few };
+    let plain = Session::with(Side::BOTH.map(disks)).and(Side::BOTH.map(settings));
+    let tiled = link(&plain.clone().and([Change::SetTexture(TextureKind::Tiling)]));
+    let text = |name: &str, arguments: &[&str]| String::from_utf8(written(&folder, name, arguments)).unwrap();
+    let own = text("own.svg", &["render", &tiled]);
+    let plain = link(&plain);
+    assert_eq!(own, text("option.svg", &["render", &plain, "--tiling", "7,3"]));
+    let closed = |text: &str| text.matches("Z\"/>").count();
+    assert!(closed(&own) > 600 && own.matches("class=\"lines\"").count() == 4, "{} closed paths", closed(&own));
+    let mirrors = text("mirrors.svg", &["render", &plain, "--tiling", "7,3,triangles"]);
+    assert_eq!(closed(&mirrors), closed(&own));
+    assert!(mirrors.matches("<path").count() > 14 * (closed(&own) - 2), "fourteen mirrors a tile");
+    let picture = |name, tiling| written(&folder, name, &["render", &plain, "--size", "240x120", "--tiling", tiling]);
+    assert_ne!(picture("tiles.png", "4,6"), picture("edges.png", "4,6,edges"));
+    for (tiling, words) in [("4,4", "lives in the plane"), ("3,5", "icosahedron"), ("7", "P,Q"), ("7,3,big", "style")] {
+        fails(&["render", &plain, "--tiling", tiling, "--out", "x.png"], 2, &[words]);
+    }
 }

@@ -12,6 +12,7 @@ use crate::conformal::{PerSide, Side};
 use crate::language::{key, number, say, tr};
 use crate::model::Model;
 use crate::model::shape::Shape;
+use crate::session::{Colouring, TextureKind};
 use crate::worker::Number;
 use egui::{Role, WidgetInfo};
 
@@ -19,6 +20,7 @@ use egui::{Role, WidgetInfo};
 pub fn state(app: &RiemapApp) -> String {
     let model = &app.model;
     let mut sentences = vec![shown(model)];
+    sentences.extend(tiling(model));
     sentences.extend(Side::BOTH.into_iter().filter_map(|side| points(model, side)));
     sentences.extend(pins(model));
     if let Some(quality) = model.quality() {
@@ -49,6 +51,14 @@ fn shown(model: &Model) -> String {
         (Shape::Outline(_), Shape::Surface(_)) => key::accessible_surface_map(target, source),
         (Shape::Outline(_), Shape::Outline(_)) => key::accessible_map(source, target),
     })
+}
+
+/// The hyperbolic tiling, where it is the pattern.
+fn tiling(model: &Model) -> Option<String> {
+    let session = model.session();
+    let is_seen = session.texture() == TextureKind::Tiling && session.colouring() == Colouring::Texture;
+    let tiling = session.tiling().tiling;
+    is_seen.then(|| say(&key::accessible_tiling(u32::from(tiling.p()), u32::from(tiling.q()))))
 }
 
 fn points(model: &Model, side: Side) -> Option<String> {

@@ -16,7 +16,7 @@ use crate::model::side::user_error::UserError;
 use crate::outline::Outline;
 use crate::platform::{self, Event, Kept};
 use crate::session::file::Attachment;
-use crate::session::{Command, TextureKind, Touched, lesson};
+use crate::session::{Touched, lesson};
 use crate::worker::{Finding, Response, Study};
 use std::sync::Arc;
 
@@ -239,11 +239,11 @@ impl RiemapApp {
         self.messages.common = Some(key::address_keeps(control.name()));
     }
 
-    /// Makes a picture the texture.
+    /// Makes a picture the texture, or puts it into the tiles that are shown.
     pub(super) fn use_image(&mut self, picture: Picture, file: Attachment) {
         self.show_image(picture, file);
         if self.pictures.image.is_some() {
-            let touched = self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
+            let touched = self.model.dispatch(self.model.session().to_show_picture(), 0.0);
             self.begin_change(touched);
             self.persistence.owe_copy();
         }
@@ -280,6 +280,7 @@ mod tests {
     use crate::app::Session;
     use crate::app::input::action::{Action, ExploreAction};
     use crate::app::tests::{ready_app, step_until};
+    use crate::session::{Command, TextureKind};
     use crate::worker::{self, SurfaceSource, Task};
     use egui_kittest::Harness;
     use egui_kittest::kittest::Queryable;

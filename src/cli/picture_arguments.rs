@@ -1,6 +1,6 @@
 //! The arguments of `riemap render`, `animate` and `link`: a session, and how it is drawn.
 
-use super::values::Size;
+use super::values::{Size, TilingArgument};
 use crate::conformal::Side;
 use std::path::PathBuf;
 
@@ -19,6 +19,10 @@ pub struct SessionArguments {
     /// go to the surfaces of their names, others to the source's first, then the target's.
     #[arg(long, value_name = "FILE")]
     pub surface: Vec<String>,
+    /// The hyperbolic tiling {P, Q} instead of the session's pattern: polygons with P sides, Q around each corner; its
+    /// style is tiles (the default), edges, triangles or picture (the session's own picture in every tile).
+    #[arg(long, value_name = "P,Q[,STYLE]")]
+    pub tiling: Option<TilingArgument>,
 }
 
 /// `riemap render LINK`.

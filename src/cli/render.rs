@@ -7,6 +7,7 @@ use super::output::{check_paths, print, write_all};
 use super::picture::{encode, failed};
 use super::picture_arguments::{LinkArguments, RenderArguments, SessionArguments, SideArgument, ThemeArgument};
 use super::progress::Progress;
+use super::values::TilingArgument;
 use crate::conformal::{PerSide, Side};
 use crate::export::FileFormat;
 use crate::model::export::FileRequest;
@@ -83,6 +84,10 @@ pub struct Loaded {
 pub fn load(arguments: &SessionArguments, shot: &Shot, progress: &Progress) -> Result<Loaded, CliError> {
     let Opened { decoded, files, picture } = open(&arguments.link)?;
     let mut session = with_files(decoded, arguments)?;
+    if let Some(TilingArgument(tiling)) = arguments.tiling {
+        session.apply(Command::SetTexture(TextureKind::Tiling));
+        session.apply(Command::SetTiling(tiling));
+    }
     let surfaces = surface_files(&mut session, arguments, &files)?;
     let offscreen = Offscreen::telling(&session, surfaces, shot.pixels_per_point(), &mut |doing| match doing {
         Doing::PreparingOutline(side, stage) => progress.preparing(&format!("the {side}"))(stage),
@@ -91,11 +96,15 @@ pub fn load(arguments: &SessionArguments, shot: &Shot, progress: &Progress) -> R
     });
     let offscreen = offscreen.map_err(|error| CliError::Input(error.to_string()))?;
     say_moved(&session, &offscreen);
-    let image =
-        picture.filter(|_| offscreen.session().texture() == TextureKind::Image).map(|file| decoded_image(&file));
+    let image = picture.filter(|_| offscreen.session().shows_picture()).map(|file| decoded_image(&file));
     let image = image.transpose()?;
-    if offscreen.session().texture() == TextureKind::Image && image.is_none() {
-        eprintln!("riemap: there is no image in the session: a checkerboard stands in");
+    if offscreen.session().shows_picture() && image.is_none() {
+        let stands_in = if offscreen.session().texture() == TextureKind::Image {
+            "a checkerboard stands"
+        } else {
+            "plain tiles stand"
+        };
+        eprintln!("riemap: there is no image in the session: {stands_in} in");
     }
     Ok(Loaded { offscreen, image })
 }

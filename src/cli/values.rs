@@ -4,6 +4,7 @@ use crate::conformal::{CurveBoundary, MeshedDomain};
 use crate::figures::Figure;
 use crate::geometry::DVec2;
 use crate::mesh::Sizing;
+use crate::tiling::{Tiling, TilingPattern, TilingStyle};
 use std::str::FromStr;
 
 /// A point in the plane, `X,Y`.
@@ -54,6 +55,33 @@ impl Anchor {
             }
             Self::Fraction(s) => s.rem_euclid(1.0),
         }
+    }
+}
+
+/// A hyperbolic tiling, `P,Q` or `P,Q,STYLE`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TilingArgument(pub TilingPattern);
+
+impl FromStr for TilingArgument {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let form = "expected P,Q or P,Q,STYLE, such as 7,3 or 4,6,edges";
+        let mut parts = text.split(',').map(str::trim);
+        let mut number = || parts.next()?.parse::<u8>().ok();
+        let (Some(p), Some(q)) = (number(), number()) else { return Err(form.to_owned()) };
+        let style = match parts.next() {
+            None | Some("tiles") => TilingStyle::Tiles,
+            Some("edges") => TilingStyle::Edges,
+            Some("triangles") => TilingStyle::Triangles,
+            Some("picture") => TilingStyle::Picture,
+            Some(other) => return Err(format!("\"{other}\": a style is tiles, edges, triangles or picture")),
+        };
+        if parts.next().is_some() {
+            return Err(form.to_owned());
+        }
+        let tiling = Tiling::new(p, q).map_err(|error| error.to_string())?;
+        Ok(Self(TilingPattern { tiling, style }))
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! `flattened`: surfaces with texture coordinates; `glb`: as a self-contained glTF file. `numbers`: tables and meshes of maps between any two sides.
 //! `formula`: maps as rational functions, in numbers and code. `drawing`: vector graphics of the planar parts of a map,
-//! with the pattern lines of `ruling`; `grid`: orthogonal grids; `projection`: map projections; `hatching`: what a map does not cover.
+//! with the pattern lines of `ruling` and `tiles`; `grid`: orthogonal grids; `projection`: map projections; `hatching`: what a map does not cover.
 
 mod drawing;
 mod flattened;
@@ -15,6 +15,7 @@ mod numbers;
 mod polylines;
 mod projection;
 mod ruling;
+mod tiles;
 
 pub use drawing::{Panel, Part, Wire, panels, parts, svg};
 pub use flattened::{Division, Flattened, Placement};

@@ -3,10 +3,12 @@
 //! The map is affine on a triangle, so that a straight line of the pattern is a straight segment there
 //! (marching triangles). Circles and rays are level sets of nonlinear functions: triangles are first
 //! subdivided until a line bends only a little within a piece. Segments with a common end
-//! are joined; a line that returns to its start is closed.
+//! are joined; a line that returns to its start is closed. The tiles of hyperbolic tilings are carried one by one: `tiles`.
 
 use super::polylines::{Line, Polylines};
+use super::tiles::CarriedMesh;
 use crate::geometry::DVec2;
+use crate::tiling::Tiling;
 use std::f64::consts::TAU;
 
 /// The families of lines, in the pattern's coordinates of the vertices.
@@ -31,6 +33,13 @@ pub enum Ruling {
     Conformal {
         /// The number of rays, a multiple of 4.
         rays: u32,
+    },
+    /// In the unit disk: the tiles of a tiling as closed lines; the second family are the mirrors in them, if wanted.
+    Tiling {
+        /// The tiling.
+        tiling: Tiling,
+        /// Whether the mirrors are drawn.
+        mirrors: bool,
     },
 }
 
@@ -78,6 +87,14 @@ impl Ruling {
     /// The lines of one family (0 or 1) on a mesh, given the `positions` and the pattern's `coordinates` of its
     /// vertices.
     pub fn lines(self, family: usize, positions: &[DVec2], coordinates: &[DVec2], triangles: &[[u32; 3]]) -> Vec<Line> {
+        if let Self::Tiling { tiling, mirrors } = self {
+            let mesh = CarriedMesh { positions, coordinates, triangles };
+            return match family {
+                0 => mesh.tiles(tiling),
+                _ if mirrors => mesh.mirrors(tiling),
+                _ => Vec::new(),
+            };
+        }
         let mut joints = Polylines::default();
         let pieces = self.pieces(coordinates, triangles);
         for triangle in triangles {
@@ -90,7 +107,7 @@ impl Ruling {
     /// The number of pieces of each edge, the same for all triangles, so that neighbors fit together.
     fn pieces(self, coordinates: &[DVec2], triangles: &[[u32; 3]]) -> usize {
         let cell = match self {
-            Self::Squares { .. } => return 1,
+            Self::Squares { .. } | Self::Tiling { .. } => return 1,
             Self::Polar { spacing, .. } => spacing,
             Self::Conformal { rays } => WITHIN * TAU / f64::from(rays),
         };
@@ -130,6 +147,7 @@ impl Ruling {
                 Some(corners.map(|p| plain(-per_radian * p.length().ln())))
             }
             Self::Conformal { rays } => angles(corners, rays),
+            Self::Tiling { .. } => None,
         }
     }
 
@@ -146,7 +164,7 @@ impl Ruling {
                 let is_fine = at.length() * TAU / f64::from(rays) < FINEST_CELL;
                 !is_fine && (family == 1 || level > 0)
             }
-            (Self::Squares { .. }, _) => true,
+            (Self::Squares { .. } | Self::Tiling { .. }, _) => true,
         }
     }
 

@@ -61,7 +61,7 @@ fn accumulate(counts: &mut [u32]) {
 ///
 /// Half-edges are grouped by their smaller vertex, and matched within a group.
 /// Cost O(n) for bounded degrees, O(n log n) at worst.
-pub(super) fn neighbours_of(triangles: &[[u32; 3]], vertex_count: usize) -> Vec<[u32; 3]> {
+pub(crate) fn neighbours_of(triangles: &[[u32; 3]], vertex_count: usize) -> Vec<[u32; 3]> {
     let ends = |half: u32| {
         let (t, i) = (&triangles[half as usize / 3], half as usize % 3);
         (t[(i + 1) % 3], t[(i + 2) % 3])

@@ -62,6 +62,7 @@ impl Model {
             | Command::SetTextureSide(_)
             | Command::SetTextureScale(_)
             | Command::PlacePicture(_)
+            | Command::SetTiling(_)
             | Command::SetColouring(_)
             | Command::SetWireframe(_)
             | Command::SetPlots(_)

@@ -68,7 +68,9 @@ fn the_points_of_a_surface_on_the_source_move_the_map_and_opening_restores_them(
 #[test]
 fn between_two_surfaces_every_pattern_lies_in_the_disk() {
     let mut model = on_both_sides();
-    for texture in [TextureKind::Checker, TextureKind::Grid, TextureKind::Polar, TextureKind::Conformal] {
+    for texture in
+        [TextureKind::Checker, TextureKind::Grid, TextureKind::Polar, TextureKind::Conformal, TextureKind::Tiling]
+    {
         model.dispatch(Command::SetTexture(texture), 0.0);
         model.refresh(false);
         let map = model.map().unwrap();
@@ -76,6 +78,7 @@ fn between_two_surfaces_every_pattern_lies_in_the_disk() {
         let style = pattern::style(&model, false, true).unwrap();
         assert_eq!((style.bounds, style.pole), (TextureStyle::DISK, DVec2::ZERO));
         assert_eq!(style.pattern == Pattern::Conformal, texture == TextureKind::Conformal);
+        assert_eq!(matches!(style.pattern, Pattern::Tiling { .. }), texture == TextureKind::Tiling);
         for side in Side::BOTH {
             assert_eq!(pattern::surface_coordinates(&model, side), map.disk(side), "{texture:?}");
             assert!(pattern::geometry(&model, side).is_none() && pattern::moved(&model, side).is_none());

@@ -311,12 +311,14 @@ fn a_session_that_waits_for_its_file_applies_its_points_to_it() {
 
 #[test]
 fn the_source_shows_the_disk_pattern_too() {
-    let mut model = with_hemisphere();
-    model.dispatch(Command::SetTexture(TextureKind::Conformal), 0.0);
-    model.refresh(false);
-    let geometry = crate::model::pattern::geometry(&model, Side::Source).unwrap();
-    assert_eq!(geometry.texture_coordinates, model.shown_grid().of(Side::Source));
-    assert!(geometry.texture_coordinates.iter().all(|g| g.length() < 1.0 + 1e-9), "in the disk");
+    for texture in [TextureKind::Conformal, TextureKind::Tiling] {
+        let mut model = with_hemisphere();
+        model.dispatch(Command::SetTexture(texture), 0.0);
+        model.refresh(false);
+        let geometry = crate::model::pattern::geometry(&model, Side::Source).unwrap();
+        assert_eq!(geometry.texture_coordinates, model.shown_grid().of(Side::Source));
+        assert!(geometry.texture_coordinates.iter().all(|g| g.length() < 1.0 + 1e-9), "in the disk");
+    }
 }
 
 #[test]

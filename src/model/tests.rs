@@ -78,7 +78,7 @@ fn rest(model: &mut Model) -> usize {
 #[test]
 fn a_map_longer_than_a_frame_is_shown_after_several() {
     for solver in BOTH_SOLVERS {
-        for texture in [TextureKind::Checker, TextureKind::Conformal] {
+        for texture in [TextureKind::Checker, TextureKind::Conformal, TextureKind::Tiling] {
             let mut model = prepared(solver, texture);
             model.update_ms = 0.0;
             for step in 1..4 {

@@ -4,7 +4,8 @@
 //! At a vertex it is ½ log₂ of the ratio of two areas: of its triangles in the texture, and drawn. A discrete map's
 //! triangles differ from their neighbors by some tenths, so that the ratio is averaged over neighbors
 //! [`SMOOTHINGS`] times: interpolated in between, it shows no triangles. Vertices whose triangles have no area in one
-//! of the two take the mean of their neighbors, or 0. Cost O(triangles), without allocation after the first call.
+//! of the two take the mean of their neighbors, or 0. With it goes the length of an edge there in the texture's units: what
+//! is smaller in the texture is not resolved. Cost O(triangles), without allocation after the first call.
 
 use glam::DVec2;
 
@@ -19,7 +20,13 @@ pub struct LocalScale {
     /// By vertex: the areas in the texture and drawn; then the sum and the number of the values around it.
     sums: Vec<[f64; 2]>,
     scales: Vec<f32>,
+    /// By vertex, for the GPU: the scale, and the length of an edge.
+    vertices: Vec<[f32; 2]>,
 }
+
+/// The length of an edge over the square root of twice the area of the triangles at one of its ends, where these are the
+/// three equilateral ones of a straight boundary; where they are six, this is too much by 1.4.
+const EDGE: f64 = 0.62;
 
 impl LocalScale {
     /// Replaces the mesh; all scales are 0.
@@ -28,10 +35,12 @@ impl LocalScale {
         self.triangles.extend_from_slice(triangles);
         self.scales.clear();
         self.scales.resize(vertices, 0.0);
+        self.vertices.clear();
+        self.vertices.resize(vertices, [0.0; 2]);
     }
 
-    /// Computes the scales from twice the areas of the triangles with these corners, of any sign.
-    pub fn compute(&mut self, textured: impl Fn([usize; 3]) -> f64, drawn: impl Fn([usize; 3]) -> f64) -> &[f32] {
+    /// Computes the scales, and the edges' lengths, from twice the areas of the triangles with these corners, of any sign.
+    pub fn compute(&mut self, textured: impl Fn([usize; 3]) -> f64, drawn: impl Fn([usize; 3]) -> f64) -> &[[f32; 2]] {
         self.sums.clear();
         self.sums.resize(self.scales.len(), [0.0; 2]);
         for triangle in &self.triangles {
@@ -42,13 +51,16 @@ impl LocalScale {
                 self.sums[v][1] += areas[1];
             }
         }
-        for (scale, [textured, drawn]) in self.scales.iter_mut().zip(&self.sums) {
+        for ((scale, vertex), [textured, drawn]) in self.scales.iter_mut().zip(&mut self.vertices).zip(&self.sums) {
             // not finite without an area
             *scale = (0.5 * (textured / drawn).log2()) as f32;
+            vertex[1] = (EDGE * textured.sqrt()) as f32;
         }
         (0..SMOOTHINGS).for_each(|_| self.smooth());
-        self.scales.iter_mut().filter(|scale| !scale.is_finite()).for_each(|scale| *scale = 0.0);
-        &self.scales
+        for (vertex, scale) in self.vertices.iter_mut().zip(&self.scales) {
+            vertex[0] = if scale.is_finite() { *scale } else { 0.0 };
+        }
+        &self.vertices
     }
 
     /// Replaces each value by the mean of those around it, and of its own.
@@ -89,7 +101,11 @@ mod tests {
     fn scales(points: &[DVec2], images: &[DVec2], triangles: &[[u32; 3]]) -> Vec<f32> {
         let mut scale = LocalScale::default();
         scale.set(points.len(), triangles);
-        scale.compute(|corners| double_area(images, corners), |corners| double_area(points, corners)).to_vec()
+        scale
+            .compute(|corners| double_area(images, corners), |corners| double_area(points, corners))
+            .iter()
+            .map(|vertex| vertex[0])
+            .collect()
     }
 
     #[test]
@@ -110,6 +126,17 @@ mod tests {
             let expected = 1.0 + 2.0 * p.x * std::f64::consts::LOG2_E;
             assert!((f64::from(found) - expected).abs() < 0.12, "at {p}: {found} instead of {expected}");
         }
+    }
+
+    #[test]
+    fn edges_have_their_length_in_the_texture() {
+        let (points, triangles) = grid(8);
+        let images: Vec<DVec2> = points.iter().map(|p| 4.0 * p).collect();
+        let mut scale = LocalScale::default();
+        scale.set(points.len(), &triangles);
+        let found = scale.compute(|corners| double_area(&images, corners), |corners| double_area(&points, corners));
+        // edges of 0.5 and 0.7; a corner of the square has one or two triangles, its inside six
+        assert!(found.iter().all(|[_, edge]| (0.3..0.8).contains(edge)), "{found:?}");
     }
 
     #[test]

@@ -23,7 +23,7 @@ struct MeshUniform {
 #[derive(Debug)]
 pub struct MeshPass {
     layout: wgpu::BindGroupLayout,
-    pipelines: [wgpu::RenderPipeline; 5],
+    pipelines: [wgpu::RenderPipeline; PATTERN_FRAGMENTS.len()],
 }
 
 /// One viewport's mesh.
@@ -59,12 +59,16 @@ impl MeshPass {
         let shader = gpu::shader(
             device,
             "mesh",
-            concat!(include_str!("../../shaders/pattern.wgsl"), include_str!("../../shaders/mesh.wgsl")),
+            concat!(
+                include_str!("../../shaders/pattern.wgsl"),
+                include_str!("../../shaders/tiling.wgsl"),
+                include_str!("../../shaders/mesh.wgsl")
+            ),
         );
         let position = wgpu::vertex_attr_array![0 => Float32x2];
         let texture_coordinate = wgpu::vertex_attr_array![1 => Float32x2];
-        let scale = wgpu::vertex_attr_array![2 => Float32];
-        let buffers = [(&position[..], 8), (&texture_coordinate[..], 8), (&scale[..], 4)]
+        let scale = wgpu::vertex_attr_array![2 => Float32x2];
+        let buffers = [(&position[..], 8), (&texture_coordinate[..], 8), (&scale[..], 8)]
             .map(|buffer| Some(attributes_of(buffer)));
         let pipelines = PATTERN_FRAGMENTS.map(|fragment| {
             let spec = PipelineSpec {
@@ -226,7 +230,7 @@ impl MeshBuffers {
 }
 
 /// The local scale of these positions and texture coordinates.
-fn compute<'a>(scale: &'a mut LocalScale, [positions, coordinates]: &[Vec<DVec2>; 2]) -> &'a [f32] {
+fn compute<'a>(scale: &'a mut LocalScale, [positions, coordinates]: &[Vec<DVec2>; 2]) -> &'a [[f32; 2]] {
     scale.compute(|corners| double_area(coordinates, corners), |corners| double_area(positions, corners))
 }
 

@@ -5,6 +5,7 @@
 
 use super::ColourMap;
 use crate::geometry::PicturePlacement;
+use crate::tiling::TilingPattern;
 use glam::DVec2;
 
 /// Control points, from top to bottom, of the quadratic Bézier curve that the
@@ -41,6 +42,14 @@ pub enum Pattern {
     Image,
     /// That image at a place in the bounds, on paper.
     Placed(PicturePlacement),
+    /// A hyperbolic tiling of the unit disk, where the texture coordinates lie; its bounds are [`TextureStyle::DISK`].
+    /// Where tiles are not resolved, by the picture, by f32 or by the mesh, it fades to its mean color.
+    Tiling {
+        /// The tiling and its style.
+        pattern: TilingPattern,
+        /// Where the image lies in the square around the central tile; for `TilingStyle::Picture`.
+        picture: PicturePlacement,
+    },
 }
 
 /// The texture of a viewport, described in the domain to which it belongs: usually the source.
@@ -112,7 +121,7 @@ pub struct Handle {
 }
 
 impl TextureStyle {
-    /// The bounds of [`Pattern::Conformal`].
+    /// The bounds of [`Pattern::Conformal`] and [`Pattern::Tiling`].
     pub const DISK: (DVec2, DVec2) = (DVec2::NEG_ONE, DVec2::ONE);
 
     /// The color of the hue change at height `y` of the source, sRGB-encoded.

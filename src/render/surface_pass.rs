@@ -41,7 +41,7 @@ struct SurfaceCellUniform {
 pub struct SurfacePass {
     layout: wgpu::BindGroupLayout,
     lookup_layout: wgpu::BindGroupLayout,
-    textured: [wgpu::RenderPipeline; 5],
+    textured: [wgpu::RenderPipeline; PATTERN_FRAGMENTS.len()],
     colour: wgpu::RenderPipeline,
     overlay: wgpu::RenderPipeline,
     palettes: [wgpu::BindGroup; 2],
@@ -130,7 +130,7 @@ impl SurfacePass {
         surface.places = positions.iter().map(|p| (*p - surface.frame.origin) / surface.frame.unit).collect();
         let blank = vec![[0.0_f32; 2]; positions.len()];
         let complete = surface.vertices.write(device, queue, staging)
-            && surface.scales.write(device, queue, &vec![0.0_f32; positions.len()])
+            && surface.scales.write(device, queue, &blank)
             && surface.coordinates.write(device, queue, &blank)
             && surface.indices.write(device, queue, triangles)
             && surface.corners.write(device, queue, triangles)
@@ -243,17 +243,18 @@ fn textured_pipelines(
     device: &wgpu::Device,
     groups: &[&wgpu::BindGroupLayout],
     samples: u32,
-) -> [wgpu::RenderPipeline; 5] {
+) -> [wgpu::RenderPipeline; PATTERN_FRAGMENTS.len()] {
     let source = concat!(
         include_str!("../../shaders/space.wgsl"),
         include_str!("../../shaders/pattern.wgsl"),
+        include_str!("../../shaders/tiling.wgsl"),
         include_str!("../../shaders/surface.wgsl")
     );
     let shader = gpu::shader(device, "surface", source);
     let vertex = wgpu::vertex_attr_array![0 => Float32x4];
     let coordinate = wgpu::vertex_attr_array![1 => Float32x2];
-    let scale = wgpu::vertex_attr_array![2 => Float32];
-    let buffers = [(&vertex[..], 16), (&coordinate[..], 8), (&scale[..], 4)].map(|buffer| Some(attributes_of(buffer)));
+    let scale = wgpu::vertex_attr_array![2 => Float32x2];
+    let buffers = [(&vertex[..], 16), (&coordinate[..], 8), (&scale[..], 8)].map(|buffer| Some(attributes_of(buffer)));
     PATTERN_FRAGMENTS.map(|fragment| {
         let spec = PipelineSpec {
             label: fragment,

@@ -6,6 +6,7 @@ use super::{
 use crate::conformal::{Direction, Extension, InteriorPoint, Pins, PrepareSettings, Side};
 use crate::geometry::{DVec2, PicturePlacement};
 use crate::optimization::Dab;
+use crate::tiling::TilingPattern;
 
 /// A change of the session.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,6 +80,8 @@ pub enum Command {
     SetTextureSide(Side),
     /// Moves, scales and turns the image, within the limits.
     PlacePicture(PicturePlacement),
+    /// Sets the tiling of [`TextureKind::Tiling`].
+    SetTiling(TilingPattern),
     SetColouring(Colouring),
     SetWireframe(bool),
     SetPlots(bool),
@@ -105,9 +108,11 @@ impl Command {
             Self::SetSettings { .. } | Self::RefineSurface { .. } | Self::SetDirection(_) | Self::SetExtension(_) => {
                 Touched::SETTINGS
             }
-            Self::SetTexture(_) | Self::SetTextureScale(_) | Self::SetTextureSide(_) | Self::PlacePicture(_) => {
-                Touched::PATTERN
-            }
+            Self::SetTexture(_)
+            | Self::SetTextureScale(_)
+            | Self::SetTextureSide(_)
+            | Self::PlacePicture(_)
+            | Self::SetTiling(_) => Touched::PATTERN,
             Self::SetColouring(_) | Self::SetWireframe(_) | Self::SetHoles { .. } => Touched::COLOURS,
             Self::SetPlots(_) => Touched::PLOTS,
             Self::SetComparison(_) | Self::SetRegion(_) => Touched::COMPARISON,
@@ -173,6 +178,7 @@ impl Session {
             Command::SetTextureScale(scale) => self.display.texture_scale = scale,
             Command::SetTextureSide(side) => self.display.texture_side = side,
             Command::PlacePicture(placement) => self.display.picture = placement.within_limits(),
+            Command::SetTiling(tiling) => self.display.tiling = tiling,
             Command::SetColouring(colouring) => self.display.colouring = colouring,
             Command::SetWireframe(shown) => self.display.wireframe = shown,
             Command::SetPlots(open) => self.display.plots = open,

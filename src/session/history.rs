@@ -2,7 +2,7 @@
 //!
 //! Whatever happens between two settled sessions, a drag or the movement of a slider, is one step.
 
-use super::{Session, TextureKind};
+use super::Session;
 
 /// The maximal number of undo steps kept.
 const MOST_STEPS: usize = 200;
@@ -45,10 +45,10 @@ impl History {
         self.past.iter().chain([&self.now]).chain(&self.future).map(Session::loaded_points).sum()
     }
 
-    /// Whether the texture is an image in one of its steps.
+    /// Whether the own picture is shown in one of its steps.
     pub fn shows_image(&self) -> bool {
         let mut all = self.past.iter().chain([&self.now]).chain(&self.future);
-        all.any(|session| session.texture() == TextureKind::Image)
+        all.any(Session::shows_picture)
     }
 
     /// Continues with `other`: its present session becomes the present one, the steps of both can be undone, and its

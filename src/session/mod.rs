@@ -36,6 +36,7 @@ use crate::geometry::{DVec2, PicturePlacement};
 use crate::mesh::Sizing;
 use crate::optimization::Dab;
 use crate::outline::{Preset, Sampling};
+use crate::tiling::{TilingPattern, TilingStyle};
 
 /// The settings stored in a link or a file.
 #[derive(Debug, Clone, PartialEq)]
@@ -153,6 +154,28 @@ impl Session {
     /// Where the image lies, relative to the domain of its side.
     pub fn picture(&self) -> PicturePlacement {
         self.display.picture
+    }
+
+    /// The tiling of [`TextureKind::Tiling`].
+    pub fn tiling(&self) -> TilingPattern {
+        self.display.tiling
+    }
+
+    /// Whether the texture consists of the own picture: as it is, or in the tiles of a tiling.
+    pub fn shows_picture(&self) -> bool {
+        match self.texture() {
+            TextureKind::Image => true,
+            TextureKind::Tiling => self.tiling().style == TilingStyle::Picture,
+            _ => false,
+        }
+    }
+
+    /// The command that makes the own picture the texture, or puts it into the tiles where a tiling is shown.
+    pub fn to_show_picture(&self) -> Command {
+        match self.texture() {
+            TextureKind::Tiling => Command::SetTiling(TilingPattern { style: TilingStyle::Picture, ..self.tiling() }),
+            _ => Command::SetTexture(TextureKind::Image),
+        }
     }
 
     /// What the triangles are colored by.

@@ -5,6 +5,7 @@ use crate::conformal::InteriorPoint;
 use crate::geometry::{DVec3, SimplePolygon};
 use crate::mesh::{BarycentricPoint, TriangleId};
 use crate::surface::SurfacePreset;
+use crate::tiling::{TilingPattern, TilingStyle};
 
 fn preset(preset: Preset) -> OutlineSpec {
     OutlineSpec::Preset(preset)
@@ -191,6 +192,7 @@ fn commands() -> Vec<Command> {
         Command::SetTextureScale(3.0),
         Command::SetTextureSide(Side::Target),
         Command::PlacePicture(PicturePlacement { size: 0.5, ..PicturePlacement::default() }),
+        Command::SetTiling(TilingPattern { style: TilingStyle::Edges, ..TilingPattern::default() }),
         Command::SetColouring(Colouring::Area),
         Command::SetWireframe(true),
         Command::SetPlots(true),
@@ -219,6 +221,7 @@ fn differences(a: &Session, b: &Session) -> Touched {
         (sides(|a, b| a.domain.settings != b.domain.settings), Touched::SETTINGS),
         (a.display.direction != b.display.direction || a.display.extension != b.display.extension, Touched::SETTINGS),
         (a.display.texture != b.display.texture || a.display.picture != b.display.picture, Touched::PATTERN),
+        (a.display.tiling != b.display.tiling, Touched::PATTERN),
         (
             a.display.texture_side != b.display.texture_side || a.display.texture_scale != b.display.texture_scale,
             Touched::PATTERN,
@@ -317,4 +320,15 @@ fn points_that_follow_from_pins_are_no_step_of_their_own() {
     assert_eq!(history.now(), &again);
     assert!(history.settle(&again.clone().and([Command::SetPins(None)])), "without pins the points count");
     assert!(history.settle(&again.and([Command::SetPins(None), found, Command::SetWireframe(true)])));
+}
+
+#[test]
+fn the_own_picture_goes_into_the_tiles_that_are_shown() {
+    let plain = Session::default();
+    assert!(!plain.shows_picture() && plain.clone().and([plain.to_show_picture()]).texture() == TextureKind::Image);
+    let tiled = Session::with([Command::SetTexture(TextureKind::Tiling)]);
+    let pictured = tiled.clone().and([tiled.to_show_picture()]);
+    assert!(!tiled.shows_picture() && pictured.shows_picture());
+    assert_eq!((pictured.texture(), pictured.tiling().style), (TextureKind::Tiling, TilingStyle::Picture));
+    assert!(!pictured.and([Command::SetTexture(TextureKind::Checker)]).shows_picture(), "the style is kept, unseen");
 }

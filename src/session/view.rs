@@ -2,6 +2,8 @@
 
 use crate::conformal::{Direction, Extension, Side};
 use crate::geometry::PicturePlacement;
+use crate::tiling::{Tiling, TilingPattern, TilingStyle};
+use serde::{Deserialize, Serialize};
 
 /// The settings of the map and of its display, the same for both sides.
 ///
@@ -22,6 +24,9 @@ pub(super) struct Display {
     /// Where the image lies; left out where it is the default, as sessions had none before.
     #[serde(skip_serializing_if = "PicturePlacement::is_default")]
     pub(super) picture: PicturePlacement,
+    /// The tiling, also while another pattern is shown; see [`KeptTiling`].
+    #[serde(skip)]
+    pub(super) tiling: TilingPattern,
 }
 
 /// Squares across a domain at the start: about 25 points wide in a window of 1280×720, so that their shape is seen in the
@@ -41,6 +46,38 @@ impl Default for Display {
             plots: false,
             comparison: Comparison::default(),
             picture: PicturePlacement::default(),
+            tiling: TilingPattern::default(),
+        }
+    }
+}
+
+/// The tiling as links and files keep it, beside settings that programs older than tilings understand: to these a tiling
+/// is the conformal grid, which lies in the same coordinates.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(super) struct KeptTiling {
+    #[serde(rename = "numbers")]
+    tiling: Tiling,
+    style: TilingStyle,
+    #[serde(rename = "shown")]
+    is_shown: bool,
+}
+
+impl Display {
+    /// The settings without tilings, and the tiling unless it is the default and not shown.
+    pub(super) fn without_tiling(self) -> (Self, Option<KeptTiling>) {
+        let TilingPattern { tiling, style } = self.tiling;
+        let is_shown = self.texture == TextureKind::Tiling;
+        let texture = if is_shown { TextureKind::Conformal } else { self.texture };
+        let is_needed = is_shown || self.tiling != TilingPattern::default();
+        let kept = is_needed.then_some(KeptTiling { tiling, style, is_shown });
+        (Self { texture, tiling: TilingPattern::default(), ..self }, kept)
+    }
+
+    /// Puts a tiling back.
+    pub(super) fn put_tiling(&mut self, kept: KeptTiling) {
+        self.tiling = TilingPattern { tiling: kept.tiling, style: kept.style };
+        if kept.is_shown {
+            self.texture = TextureKind::Tiling;
         }
     }
 }
@@ -60,6 +97,15 @@ pub enum TextureKind {
     Conformal,
     /// A loaded image.
     Image,
+    /// A hyperbolic tiling of the disk, carried by the disk map.
+    Tiling,
+}
+
+impl TextureKind {
+    /// Whether the pattern is defined in the unit disk, whatever the sides are.
+    pub fn is_in_disk(self) -> bool {
+        matches!(self, Self::Conformal | Self::Tiling)
+    }
 }
 
 /// What the triangles are colored by.

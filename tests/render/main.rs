@@ -15,3 +15,4 @@ mod octaves;
 mod pictures;
 mod support;
 mod surface;
+mod tilings;

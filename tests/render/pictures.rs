@@ -4,10 +4,12 @@ use super::support::*;
 use glam::DVec2;
 use image::RgbaImage;
 use riemap::conformal::TriangleDistortion;
+use riemap::geometry::PicturePlacement;
 use riemap::render::{
     CellCode, CellStyle, ColourMap, Handle, MeshGeometry, Pattern, SceneViewport, StrokeStyle, ViewportRenderer,
     sample_count,
 };
+use riemap::tiling::{Tiling, TilingPattern, TilingStyle};
 use std::f64::consts::TAU;
 use std::path::Path;
 
@@ -126,6 +128,20 @@ fn pictures_of_the_disk_in_octaves_are_as_committed() {
         ("octaves-conformal", Pattern::Conformal),
     ] {
         compare(name, &disk_pair(gpu, pattern, true));
+    }
+}
+
+#[test]
+fn pictures_of_tilings_under_a_moebius_map_are_as_committed() {
+    let Some(gpu) = gpu() else { return };
+    for (name, (p, q), style) in [
+        ("disk-tiles", (7, 3), TilingStyle::Tiles),
+        ("disk-mirrors", (4, 6), TilingStyle::Triangles),
+        ("disk-picture-tiles", (5, 4), TilingStyle::Picture),
+    ] {
+        let pattern = TilingPattern { tiling: Tiling::new(p, q).unwrap(), style };
+        let picture = PicturePlacement { size: 1.4, ..PicturePlacement::default() };
+        compare(name, &disk_pair(gpu, Pattern::Tiling { pattern, picture }, false));
     }
 }
 

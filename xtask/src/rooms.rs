@@ -23,6 +23,7 @@ const ROOMS: &[Row] = &[
     ("outline", &["counted", "geometry", "exact"]),
     ("mesh", &["counted", "geometry"]),
     ("drawing", &["counted", "geometry", "outline"]),
+    ("tiling", &["geometry"]),
     ("projection", &["geometry", "mesh"]),
     ("surface", &["counted", "geometry", "mesh", "outline"]),
     ("laplace", &["counted", "geometry", "mesh"]),
@@ -33,10 +34,13 @@ const ROOMS: &[Row] = &[
     ),
     ("rational", &["geometry", "conformal"]),
     ("optimization", &["geometry", "outline", "mesh", "laplace", "conformal"]),
-    ("session", &["counted", "geometry", "outline", "mesh", "surface", "laplace", "conformal", "optimization"]),
+    (
+        "session",
+        &["counted", "geometry", "outline", "mesh", "tiling", "surface", "laplace", "conformal", "optimization"],
+    ),
     ("closed_form", &["geometry", "exact", "outline", "conformal", "session"]),
     ("family", &["geometry", "mesh", "outline", "conformal"]),
-    ("export", &["geometry", "mesh", "outline", "projection", "surface", "conformal", "rational"]),
+    ("export", &["geometry", "mesh", "outline", "tiling", "projection", "surface", "conformal", "rational"]),
     (
         "figures",
         &[
@@ -58,6 +62,7 @@ const ROOMS: &[Row] = &[
         &[
             "geometry",
             "outline",
+            "tiling",
             "mesh",
             "boundary_integral",
             "drawing",
@@ -88,13 +93,14 @@ const ROOMS: &[Row] = &[
             "figures",
         ],
     ),
-    ("render", &["counted", "geometry", "language"]),
+    ("render", &["counted", "geometry", "tiling", "language"]),
     (
         "model",
         &[
             "counted",
             "geometry",
             "outline",
+            "tiling",
             "mesh",
             "drawing",
             "surface",
@@ -123,6 +129,7 @@ const ROOMS: &[Row] = &[
             "boundary_integral",
             "outline",
             "projection",
+            "tiling",
             "mesh",
             "surface",
             "laplace",
@@ -145,6 +152,7 @@ const ROOMS: &[Row] = &[
             "counted",
             "geometry",
             "outline",
+            "tiling",
             "mesh",
             "surface",
             "laplace",

@@ -8,7 +8,7 @@
 //! | the boundary loops of a surface | `loops_panel` |
 //! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `invariants_panel` |
 //! | the welcome of the first visit | `welcome` |
-//! | the placement of the texture's picture | `picture_panel` |
+//! | the hyperbolic tiling; the placement of the texture's picture | `tiling_panel`, `picture_panel` |
 //! | title, buttons, messages and legend of a picture | `header` |
 //! | the menu of outlines and surfaces | `shapes` |
 //! | the offer to trace a picture | `offer` |
@@ -28,4 +28,5 @@ pub mod shapes;
 pub mod side_panel;
 mod sketch;
 pub mod surface_panel;
+mod tiling_panel;
 pub mod welcome;

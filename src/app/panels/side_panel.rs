@@ -6,7 +6,7 @@ use super::surface_panel;
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::{Control, guarded, guarded_by};
 use crate::app::overlays;
-use crate::app::panels::{advanced, best_panel, picture_panel, pins_panel, play_panel};
+use crate::app::panels::{advanced, best_panel, picture_panel, pins_panel, play_panel, tiling_panel};
 use crate::app::theme::Palette;
 use crate::app::theme::explained::{explained_heading, group_heading};
 use crate::app::theme::widgets::{Segment, captioned_slider, segmented};
@@ -23,10 +23,11 @@ const COLOURINGS: [Segment<Colouring>; 3] = [
     Segment { value: Colouring::Area, label: key::area(), tooltip: key::area_tooltip() },
 ];
 
-const TEXTURES: [Segment<TextureKind>; 4] = [
+const TEXTURES: [Segment<TextureKind>; 5] = [
     Segment { value: TextureKind::Checker, label: key::checker(), tooltip: key::checker_tooltip() },
     Segment { value: TextureKind::Grid, label: key::grid(), tooltip: key::lines() },
     Segment { value: TextureKind::Conformal, label: key::polar(), tooltip: key::polar_tooltip() },
+    Segment { value: TextureKind::Tiling, label: key::tiling(), tooltip: key::tiling_tooltip() },
     Segment { value: TextureKind::Image, label: key::image(), tooltip: key::image_tooltip() },
 ];
 
@@ -100,22 +101,29 @@ fn texture(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut A
         Some(texture) => actions.push(Action::Session(Command::SetTexture(texture))),
         None => {}
     }
-    if session.texture() == TextureKind::Image {
-        ui.horizontal(|ui| {
-            let palette = Palette::of(ui.visuals());
-            if ui.button(tr(key::choose())).clicked() {
-                actions.push(Action::OpenImage);
+    match session.texture() {
+        TextureKind::Image => own_picture(ui, model, image_name, actions),
+        TextureKind::Tiling => tiling_panel::show(ui, model, image_name, actions),
+        _ => {
+            let shown = overlays::panel::scale(session);
+            if let Some(scale) = captioned_slider(ui, tr(key::scale()), &shown, session.texture_scale(), CELLS, true) {
+                actions.push(Action::Session(Command::SetTextureScale(scale.round())));
             }
-            ui.add(egui::Label::new(RichText::new(image_name.unwrap_or_default()).color(palette.weak)).truncate());
-        });
-        if image_name.is_some() {
-            picture_panel::show(ui, model, actions);
-        }
-    } else {
-        let shown = overlays::panel::scale(session);
-        if let Some(scale) = captioned_slider(ui, tr(key::scale()), &shown, session.texture_scale(), CELLS, true) {
-            actions.push(Action::Session(Command::SetTextureScale(scale.round())));
         }
     }
     overlays::panel::pattern(ui, model, actions);
+}
+
+/// The choice of the own picture, and its place.
+pub fn own_picture(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut Actions) {
+    ui.horizontal(|ui| {
+        let palette = Palette::of(ui.visuals());
+        if ui.button(tr(key::choose())).clicked() {
+            actions.push(Action::OpenImage);
+        }
+        ui.add(egui::Label::new(RichText::new(image_name.unwrap_or_default()).color(palette.weak)).truncate());
+    });
+    if image_name.is_some() {
+        picture_panel::show(ui, model, actions);
+    }
 }

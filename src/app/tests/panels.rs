@@ -6,6 +6,7 @@ use crate::app::panels::side_panel;
 use crate::app::panels::side_panel::Column;
 use crate::model::overlays::walks::WalkAction;
 use crate::session::{Colouring, Comparison, Holes, SurfaceShape, SurfaceSpec, SurfaceState, TextureKind};
+use crate::tiling::{Tiling, TilingPattern, TilingStyle};
 
 /// The column with its advanced controls.
 const UNFOLDED: Column<'static> = Column { image_name: None, advanced: true, uv: false, in_sheet: false };
@@ -149,4 +150,54 @@ fn boundary_loops_open_holes_and_the_uv_grid_are_one_click_away() {
     let open = Command::SetHoles { side: Side::Target, holes: Holes::Open };
     assert_eq!(click_in_panel(&model, "Open"), [Action::Session(open)]);
     assert_eq!(click_in_panel(&model, "UV grid"), [Action::ShowUv(true)]);
+}
+
+#[test]
+fn a_tiling_has_two_numbers_and_styles_and_no_number_of_cells() {
+    let mut model = prepared_model();
+    assert_eq!(click_in_panel(&model, "Tiles"), [Action::Session(Command::SetTexture(TextureKind::Tiling))]);
+    model.dispatch(Command::SetTexture(TextureKind::Tiling), 0.0);
+    let styled = |style| Action::Session(Command::SetTiling(TilingPattern { style, ..TilingPattern::default() }));
+    assert_eq!(click_in_panel(&model, "Mirrors"), [styled(TilingStyle::Triangles)]);
+    assert_eq!(click_in_panel(&model, "Edges"), [styled(TilingStyle::Edges)]);
+    let harness = Harness::builder().with_size([260.0, 2400.0]).with_context_setup(theme::install).build_ui(|ui| {
+        side_panel::show(ui, &model, &Player::default(), UNFOLDED, &mut Actions::new());
+    });
+    assert!(
+        harness.query_by_label_contains("cells across").is_none() && harness.query_by_label("In the target").is_none()
+    );
+    assert_eq!(harness.query_all_by_label("Image").count(), 2, "as the pattern, and in the tiles");
+}
+
+/// On the way from {7, 3} to {4, 5} lies {4, 3}, the cube: the picture keeps its tiling until the pair is one.
+#[test]
+fn numbers_without_a_hyperbolic_tiling_are_explained_and_change_nothing() {
+    let mut harness = ready_app([1200.0, 900.0]);
+    let context = harness.ctx.clone();
+    harness.state_mut().carry_out(&context, vec![Action::Session(Command::SetTexture(TextureKind::Tiling))]);
+    harness.run_steps(3);
+    let heptagons = Tiling::default();
+    let numbers = |harness: &Harness<'_, RiemapApp>| harness.state().session().tiling().tiling;
+    let typed = |harness: &mut Harness<'_, RiemapApp>, name: &str, text: &str| {
+        let mut sliders = harness.get_all_by_role(egui::accesskit::Role::Slider);
+        let field = sliders.find(|slider| slider.accesskit_node().label().is_some_and(|label| label.starts_with(name)));
+        field.unwrap().click();
+        drop(sliders);
+        harness.run_steps(2);
+        harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+        harness.event(egui::Event::Text(text.to_owned()));
+        harness.run_steps(2);
+        harness.key_press(egui::Key::Enter);
+        harness.run_steps(3);
+    };
+    typed(&mut harness, "Sides", "4");
+    assert_eq!(numbers(&harness), heptagons);
+    assert!(harness.query_by_label_contains("{4, 3} lives on the sphere: it is the cube").is_some());
+    typed(&mut harness, "At a corner", "4");
+    assert_eq!(numbers(&harness), heptagons);
+    assert!(harness.query_by_label_contains("{4, 4} lives in the plane").is_some());
+    typed(&mut harness, "At a corner", "5");
+    assert_eq!(numbers(&harness), Tiling::new(4, 5).unwrap());
+    assert!(harness.query_by_label_contains("lives").is_none());
+    assert!(crate::app::accessibility::state(harness.state()).contains("polygons with 4 sides, 5 around each corner"));
 }

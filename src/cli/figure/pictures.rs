@@ -26,8 +26,8 @@ pub fn style(session: &Session, outline: &[DVec2], pole: DVec2) -> TextureStyle 
     let pattern = match session.texture() {
         TextureKind::Checker | TextureKind::Image => Pattern::Checker,
         TextureKind::Grid => Pattern::Grid,
-        // no figure uses the conformal grid, which would need disk coordinates
-        TextureKind::Polar | TextureKind::Conformal => Pattern::Polar,
+        // no figure uses a pattern that would need disk coordinates
+        TextureKind::Polar | TextureKind::Conformal | TextureKind::Tiling => Pattern::Polar,
     };
     let cells = session.texture_scale();
     // the paper's cells are those of the source, whatever their size on the target

@@ -106,3 +106,56 @@ fn circles_close_and_rays_reach_the_boundary() {
         }
     }
 }
+
+/// On the disk, with x in the middle, the map to the disk is a turn: carried tiles are those of the plane, up to the mesh's
+/// chords, and every one of them is a closed path.
+#[test]
+fn tiles_are_carried_to_where_they_belong() {
+    use crate::tiling::Tiling;
+    let disk = prepare(Preset::Disk.outline().polygon(), &PrepareSettings::default(), &mut |_| ()).unwrap();
+    let vertices = disk.domain().unwrap().mesh().vertices();
+    let scaled: Vec<DVec2> = vertices.iter().map(|&p| 3.0 * p.perp() + DVec2::ONE).collect();
+    for (p, q) in [(7, 3), (4, 5)] {
+        let tiling = Tiling::new(p, q).unwrap();
+        let lines =
+            |mirrors, family| Ruling::Tiling { tiling, mirrors }.lines(family, &scaled, vertices, disk.triangles());
+        let carried = lines(false, 0);
+        // all that are larger than the limit of a panel, 0.0056 of twice the radius
+        let expected = tiling.tiles(0.0118, 20_000);
+        assert!(carried.len() + 40 > expected.len() && carried.len() > 150, "{} of {}", carried.len(), expected.len());
+        for (line, tile) in carried.iter().zip(&expected).take(100) {
+            assert!(line.is_closed);
+            for corner in tile.corners(tiling).map(|corner| 3.0 * corner.perp() + DVec2::ONE) {
+                let nearest = line.points.iter().map(|p| p.distance(corner)).fold(f64::INFINITY, f64::min);
+                assert!(nearest < 1e-12, "{tiling}: a corner is {nearest:e} off");
+            }
+        }
+        assert!(lines(false, 1).is_empty());
+        let mirrors = lines(true, 1);
+        assert_eq!(mirrors.len(), 2 * usize::from(p) * carried.len());
+        assert!(mirrors.iter().all(|line| !line.is_closed));
+    }
+}
+
+/// In an arm whose end is seen from x under 1e-9 and less, tiles are as large as the arm is wide.
+#[test]
+fn tiles_are_followed_into_crowded_arms() {
+    let settings = PrepareSettings::default();
+    let arm = [(0.0, 0.0), (7.0, 0.0), (7.0, 1.0), (0.0, 1.0)].map(DVec2::from).to_vec();
+    let side = Arc::new(prepare(&arm.try_into().unwrap(), &settings, &mut |_| ()).unwrap());
+    let constraints = Constraints::new((DVec2::new(0.5, 0.5), 0.1), (DVec2::new(0.5, 0.5), 0.1));
+    let map = ConformalMap::new(Arc::clone(&side), side, &constraints, MapSettings::default()).unwrap();
+    let coordinates = crate::conformal::disk_coordinates(map.side(Side::Source), map.measure(Side::Source)).unwrap();
+    let mesh = map.domain(Side::Source).unwrap().mesh();
+    let ruling = Ruling::Tiling { tiling: crate::tiling::Tiling::default(), mirrors: false };
+    let tiles = ruling.lines(0, mesh.vertices(), &coordinates, mesh.triangles());
+    let size = |line: &Line| {
+        let [low, high] = Bounds::of(line.points.iter().copied()).corners();
+        (high - low).max_element()
+    };
+    for x in 0..4 {
+        let here = tiles.iter().filter(|line| (line.points[0].x - f64::from(x)).abs() < 1.0);
+        let largest = here.map(size).fold(0.0, f64::max);
+        assert!((0.15..0.7).contains(&largest), "about x = {x} the largest tile has {largest}");
+    }
+}

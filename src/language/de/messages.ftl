@@ -567,3 +567,8 @@ region_holds_nothing = das Gebiet enthält kein Dreieck des Netzes: Es liegt au�
 limit_dabs = die Anzahl der Tupfer im gemalten Gebiet
 limit_dab_radius = der Radius eines Tupfers im gemalten Gebiet
 no_shared_symmetry = die Umrisse haben keine gemeinsame Symmetrie: nicht je eine Spiegelung und keine Drehung um denselben Winkel
+
+## tiling
+tiling_out_of_range = { "{" }{ $sides }, { $around }{ "}" }: Beide Zahlen müssen zwischen { $low } und { $high } liegen
+tiling_on_sphere = { "{" }{ $sides }, { $around }{ "}" } lebt auf der Kugel ({ $solid }). Bitte größere Zahlen; das Bild behält sein Parkett
+tiling_in_plane = { "{" }{ $sides }, { $around }{ "}" } lebt in der Ebene, wo solche Steine lückenlos passen. Bitte größere Zahlen; das Bild behält sein Parkett

@@ -567,3 +567,8 @@ region_holds_nothing = the region holds no triangle of the mesh: it lies outside
 limit_dabs = the number of dabs in the painted region
 limit_dab_radius = the radius of a dab in the painted region
 no_shared_symmetry = the outlines have no symmetry in common: no reflection each, and no rotation by the same angle
+
+## tiling
+tiling_out_of_range = { "{" }{ $sides }, { $around }{ "}" }: both numbers must be from { $low } to { $high }
+tiling_on_sphere = { "{" }{ $sides }, { $around }{ "}" } lives on the sphere: it is the { $solid }. Choose larger numbers; the picture keeps its tiling
+tiling_in_plane = { "{" }{ $sides }, { $around }{ "}" } lives in the plane, where such tiles fit without gaps. Choose larger numbers; the picture keeps its tiling

@@ -8,3 +8,4 @@ mod rational;
 mod session;
 mod surface;
 mod surface_file;
+mod tiling;

@@ -181,6 +181,11 @@ keys_of_labels! {
     landscape_tooltip, landscape_of_surface, brush, brush_tooltip, brush_size, clear_region, clear_region_tooltip, paint_here,
     paint_here_tooltip, painted_here,
     region_is_empty, best_map_interrupted, best_sought,
+    // tiling
+    tiling, tiling_tooltip, tiling_heading, explain_tiling, tile_sides, tile_sides_tooltip, tiles_at_corner,
+    tiles_at_corner_tooltip, tiling_tiles, tiling_tiles_tooltip, tiling_edges, tiling_edges_tooltip, tiling_triangles,
+    tiling_triangles_tooltip, tiling_picture, tiling_picture_tooltip, hyperbolic_tiles, hyperbolic_tiles_about, tetrahedron,
+    octahedron, cube, icosahedron, dodecahedron,
 }
 
 keys_of_messages! {
@@ -235,4 +240,6 @@ keys_of_messages! {
     // best map
     best_area(before, after, count); best_scale(before, after, count); best_region(before, after, count); best_symmetry(before, after, count);
     best_already(value, count); lowest_of_landscape(value); accessible_landscape(x, y, value);
+    // tiling
+    accessible_tiling(sides, around);
 }

@@ -156,4 +156,6 @@ keys_of_messages! {
     film_seconds(seconds, least, most); render_geometry(viewport, fault); render_surface(fault);
     too_many_triangles(count); coordinates_differ(positions, coordinates); codes_differ(triangles, codes);
     boundary_too_long(boundary, vertices); vertex_beyond(triangle, corners, vertices); too_few_bytes(width, height);
+    // tiling
+    tiling_out_of_range(sides, around, low, high); tiling_on_sphere(sides, around, solid); tiling_in_plane(sides, around);
 }

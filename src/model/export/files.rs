@@ -8,6 +8,7 @@ use crate::model::export::request::Layout;
 use crate::model::{Model, pattern};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::SurfaceShape;
+use crate::tiling::{TilingPattern, TilingStyle};
 use image::RgbaImage;
 
 /// A file that is ready to be saved.
@@ -144,5 +145,8 @@ fn ruling(style: &TextureStyle) -> Ruling {
         }
         Pattern::Polar => Ruling::Polar { pole: style.pole, spacing },
         Pattern::Conformal => Ruling::Conformal { rays: style.conformal_rays() },
+        Pattern::Tiling { pattern: TilingPattern { tiling, style }, .. } => {
+            Ruling::Tiling { tiling, mirrors: style == TilingStyle::Triangles }
+        }
     }
 }

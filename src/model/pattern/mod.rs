@@ -2,9 +2,9 @@
 //!
 //! | pattern | defined in the coordinates of | texture coordinates on this side | on the other side |
 //! |---|---|---|---|
-//! | not conformal, between two outlines | the chosen side | the positions | see below |
-//! | not conformal, between an outline and a surface | the outline | the positions | see below |
-//! | any between two surfaces; the conformal one between any sides | the unit disk | the disk coordinates | the disk coordinates |
+//! | not in the disk, between two outlines | the chosen side | the positions | see below |
+//! | not in the disk, between an outline and a surface | the outline | the positions | see below |
+//! | any between two surfaces; the conformal one and tilings between any sides | the unit disk | the disk coordinates | the disk coordinates |
 //!
 //! The side in whose coordinates the pattern is defined shows its own mesh; the other side shows the mapped mesh. If
 //! that is the first side's mesh, its vertices are drawn at their images with their own positions as texture
@@ -20,6 +20,7 @@ use crate::geometry::DVec2;
 use crate::model::{Abilities, Model};
 use crate::render::{MeshGeometry, Pattern, TextureStyle};
 use crate::session::{Session, TextureKind};
+use crate::tiling::{TilingPattern, TilingStyle};
 
 /// The attribute of the vertices that consists of the map's images.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,7 +35,7 @@ pub enum Moved<'a> {
 /// are being computed the picture uses another side, [`Model::pattern_home`].
 pub fn home(session: &Session) -> Option<Side> {
     let side = Abilities::of(session).pattern_home(session.texture_side());
-    side.filter(|_| session.texture() != TextureKind::Conformal)
+    side.filter(|_| !session.texture().is_in_disk())
 }
 
 /// Whether the pattern of a session needs a [`disk_grid::DiskGrid`]; a map between two surfaces computes its disk
@@ -43,25 +44,37 @@ pub fn needs_grid(session: &Session) -> bool {
     home(session).is_none() && !Abilities::of(session).maps_through_disk()
 }
 
-/// The style of the pattern on both sides; a checkerboard if the image is missing. `None` until a side is prepared.
+/// The style of the pattern on both sides; a checkerboard, or tiles without pictures, if the image is missing. `None` until a side is prepared.
 pub fn style(model: &Model, has_image: bool, dark: bool) -> Option<TextureStyle> {
     let session = model.session();
     let pattern = match session.texture() {
         TextureKind::Grid => Pattern::Grid,
         TextureKind::Conformal if model.pattern_home().is_none() => Pattern::Conformal,
-        // the conformal one, until there are disk coordinates
-        TextureKind::Polar | TextureKind::Conformal => Pattern::Polar,
+        TextureKind::Tiling if model.pattern_home().is_none() => {
+            Pattern::Tiling { pattern: drawn(session.tiling(), has_image), picture: session.picture() }
+        }
+        // those in the disk, until there are disk coordinates
+        TextureKind::Polar | TextureKind::Conformal | TextureKind::Tiling => Pattern::Polar,
         TextureKind::Image if has_image => Pattern::Placed(session.picture()),
         TextureKind::Checker | TextureKind::Image => Pattern::Checker,
     };
     let (bounds, pole) = match model.pattern_home() {
-        None if pattern == Pattern::Conformal || model.is_through_disk() => (TextureStyle::DISK, DVec2::ZERO),
+        None if session.texture().is_in_disk() || model.is_through_disk() => (TextureStyle::DISK, DVec2::ZERO),
         home => {
             let home = home.unwrap_or(session.texture_side());
             (model.extent(home)?, model.interior(home)?)
         }
     };
     Some(TextureStyle { pattern, cells: session.texture_scale(), octaves: true, bounds, pole, dark })
+}
+
+/// The tiling as it is drawn: without a picture, its tiles.
+fn drawn(pattern: TilingPattern, has_image: bool) -> TilingPattern {
+    let style = match pattern.style {
+        TilingStyle::Picture if !has_image => TilingStyle::Tiles,
+        style => style,
+    };
+    TilingPattern { style, ..pattern }
 }
 
 /// The planar mesh that a side shows, with texture coordinates; `None` until it is prepared.

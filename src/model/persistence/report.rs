@@ -3,7 +3,7 @@
 use crate::conformal::Side;
 use crate::language::{Message, key};
 use crate::session::link::{self, Encoded, MissingOutline};
-use crate::session::{Session, SurfaceShape, TextureKind};
+use crate::session::{Session, SurfaceShape};
 
 /// As [`lacks`], as the report of a link that was copied.
 pub fn link_report(session: &Session, encoded: &Encoded, missing: &[MissingOutline]) -> Option<Message> {
@@ -19,7 +19,7 @@ pub fn lacks(session: &Session, encoded: &Encoded, missing: &[MissingOutline]) -
         SurfaceShape::File { name } => Some(key::surface_not_in_link(name)),
         SurfaceShape::Preset { .. } => None,
     });
-    let image = (session.texture() == TextureKind::Image).then(|| key::image_not_in_link().into());
+    let image = session.shows_picture().then(|| key::image_not_in_link().into());
     let all = outlines.chain(missing).chain(surfaces).chain(image);
     Message::joined(all, key::both_clauses)
 }
@@ -36,7 +36,7 @@ pub fn whole_link(session: &Session, missing: &[MissingOutline]) -> Option<Strin
 mod tests {
     use super::*;
     use crate::geometry::DVec2;
-    use crate::session::{Command, OutlineSpec, SurfaceSpec};
+    use crate::session::{Command, OutlineSpec, SurfaceSpec, TextureKind};
 
     #[test]
     fn everything_that_is_not_in_the_link_is_named() {

@@ -4,7 +4,7 @@ use super::*;
 use crate::conformal::PerSide;
 use crate::geometry::PicturePlacement;
 use crate::mesh::{BarycentricPoint, TriangleId};
-use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec};
+use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec, TextureKind};
 use serde_json::{Value, json};
 
 /// A session that format 1 holds.
@@ -211,4 +211,24 @@ fn pins_that_determine_no_map_are_refused() {
     assert!(turned.contains("order"), "{turned}");
     let few = refused(|value| value["pins"] = json!([]));
     assert!(few.contains("0 boundary pairs"), "{few}");
+}
+
+#[test]
+fn a_tiling_is_kept_and_older_programs_read_the_conformal_grid() {
+    use crate::tiling::{Tiling, TilingPattern, TilingStyle};
+    let pattern = TilingPattern { tiling: Tiling::new(3, 7).unwrap(), style: TilingStyle::Edges };
+    for session in [drawn(), solid()] {
+        let session = session.and([Command::SetTexture(TextureKind::Tiling), Command::SetTiling(pattern)]);
+        let text = write(&session).unwrap();
+        assert_eq!(read(text.as_bytes()), Ok(session.clone()));
+        let written: Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(written["texture"], json!("conformal"), "older programs");
+        assert_eq!(written["tiling"], json!({ "numbers": [3, 7], "style": "edges", "shown": true }));
+        assert_eq!(read_object(&write_object(&session).unwrap()), Ok(session));
+    }
+    let session = solid().and([Command::SetTexture(TextureKind::Tiling), Command::SetTiling(pattern)]);
+    let mut flat: Value = serde_json::from_str(&write(&session).unwrap()).unwrap();
+    flat["tiling"]["numbers"] = json!([4, 4]);
+    let refused = read(flat.to_string().as_bytes()).unwrap_err().to_string();
+    assert!(refused.contains("lives in the plane"), "{refused}");
 }

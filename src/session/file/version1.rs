@@ -6,6 +6,7 @@ use crate::geometry::{DVec2, PicturePlacement};
 use crate::session::limits::{Quantity, within};
 use crate::session::view::Display;
 use crate::session::{Colouring, Comparison, DomainSpec, Session, SideState, SurfaceState, TextureKind};
+use crate::tiling::TilingPattern;
 use serde::{Deserialize, Serialize};
 
 /// Whether the format can hold the session.
@@ -15,6 +16,7 @@ pub(super) fn holds(session: &Session) -> bool {
         && session.picture().is_default()
         && session.pins().is_none()
         && session.region().is_empty()
+        && session.display.without_tiling().1.is_none()
         && Side::BOTH.iter().all(|&side| session.domain(side).outline.is_only_polygon())
 }
 
@@ -118,6 +120,7 @@ impl TryFrom<Version1> for Session {
                 plots: form.added.plots,
                 comparison: form.added.comparison,
                 picture: form.added.picture,
+                tiling: TilingPattern::default(),
             },
             pins: None,
             region: Vec::new(),

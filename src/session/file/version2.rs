@@ -6,8 +6,9 @@ use crate::conformal::{Direction, Extension, PerSide, Pins, PrepareSettings, Sid
 use crate::geometry::{DVec2, PicturePlacement};
 use crate::optimization::Dab;
 use crate::session::limits::{Quantity, within};
-use crate::session::view::Display;
+use crate::session::view::{Display, KeptTiling};
 use crate::session::{Colouring, Comparison, DomainSpec, Session, SideState, SurfaceState, TextureKind};
+use crate::tiling::TilingPattern;
 use serde::{Deserialize, Serialize};
 
 /// A session as written.
@@ -24,6 +25,8 @@ pub(super) struct Written<'a> {
     pins: Option<&'a [PerSide<f64>]>,
     #[serde(skip_serializing_if = "<[Dab]>::is_empty")]
     region: &'a [Dab],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tiling: Option<KeptTiling>,
 }
 
 #[derive(Serialize)]
@@ -43,8 +46,8 @@ impl<'a> Written<'a> {
         };
         let (source, target) = (side(Side::Source), side(Side::Target));
         let pins = session.pins().map(Pins::pairs);
-        let (display, region) = (session.display, session.region());
-        Self { riemap: is_file.then_some(2), version: 2, source, target, display, pins, region }
+        let ((display, tiling), region) = (session.display.without_tiling(), session.region());
+        Self { riemap: is_file.then_some(2), version: 2, source, target, display, pins, region, tiling }
     }
 }
 
@@ -68,6 +71,7 @@ pub(super) struct Version2 {
     pins: Option<Vec<PerSide<f64>>>,
     #[serde(default)]
     region: Vec<Dab>,
+    tiling: Option<KeptTiling>,
 }
 
 #[derive(Deserialize)]
@@ -92,7 +96,7 @@ impl TryFrom<Version2> for Session {
     fn try_from(form: Version2) -> Result<Self, FileError> {
         within(Quantity::Version, f64::from(form.version), &(2.0..=2.0))?;
         let pins = form.pins.map(Pins::new).transpose().map_err(FileError::Pins)?;
-        Ok(Self {
+        let mut session = Self {
             pins,
             region: form.region.into_iter().map(Dab::rounded).collect(),
             sides: PerSide::new(form.source.checked(Side::Source)?, form.target.checked(Side::Target)?),
@@ -107,7 +111,12 @@ impl TryFrom<Version2> for Session {
                 plots: form.plots,
                 comparison: form.comparison,
                 picture: form.picture,
+                tiling: TilingPattern::default(),
             },
-        })
+        };
+        if let Some(tiling) = form.tiling {
+            session.display.put_tiling(tiling);
+        }
+        Ok(session)
     }
 }

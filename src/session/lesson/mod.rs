@@ -19,7 +19,7 @@ pub use fragment::{decode, encode, is_link};
 pub use text::{MAX_BYTES, is_file, read, read_draft, write};
 
 use super::link::{self, Decoded, ShortenedOutline};
-use super::{Session, SurfaceShape, TextureKind};
+use super::{Session, SurfaceShape};
 use crate::conformal::Side;
 
 /// The version of files and links that is written and read.
@@ -76,7 +76,7 @@ impl Step {
                 return Err(StepError::SurfaceFile { name: name.clone() });
             }
         }
-        if session.texture() == TextureKind::Image {
+        if session.shows_picture() {
             return Err(StepError::OwnPicture);
         }
         let length = caption.chars().count();

@@ -3,7 +3,7 @@
 use super::*;
 use crate::outline::Preset;
 use crate::session::link::LinkError;
-use crate::session::{Command, OutlineSpec, SurfaceSpec, scaled};
+use crate::session::{Command, OutlineSpec, SurfaceSpec, TextureKind, scaled};
 use crate::surface::SurfacePreset;
 
 fn address(fragment: &str) -> String {
@@ -94,6 +94,9 @@ fn what_no_link_holds_cannot_be_a_step() {
     let refused = |session: &Session| Step::of(session, String::new()).unwrap_err();
     assert_eq!(refused(&solid), StepError::SurfaceFile { name: "cow.obj".into() });
     assert_eq!(refused(&Session::with([Command::SetTexture(TextureKind::Image)])), StepError::OwnPicture);
+    let tiled = Session::with([Command::SetTexture(TextureKind::Tiling)]);
+    let pictured = tiled.clone().and([tiled.to_show_picture()]);
+    assert_eq!(refused(&pictured), StepError::OwnPicture);
     let spike = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
     let polygon = spike.map(crate::geometry::DVec2::from).to_vec().try_into().unwrap();
     let outline = OutlineSpec::points("spike".into(), polygon);

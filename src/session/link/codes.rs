@@ -38,16 +38,28 @@ codes!(Kernel, KernelMode { KernelMode::Adjoint = 0, KernelMode::Table = 1, Kern
 codes!(Setting, Holes { Holes::Filled = 0, Holes::Open = 1 });
 codes!(Solver, SolverKind { SolverKind::Direct = 0, SolverKind::Pcg = 1 });
 codes!(Colouring, Colouring { Colouring::Texture = 0, Colouring::Angle = 1, Colouring::Area = 2 });
-codes!(Texture, TextureKind {
-    TextureKind::Checker = 0,
-    TextureKind::Grid = 1,
-    TextureKind::Polar = 2,
-    TextureKind::Conformal = 3,
-    TextureKind::Image = 4,
-});
 codes!(Comparison, Comparison {
     Comparison::Off = 0,
     Comparison::Fresh = 1,
     Comparison::Precomputed = 2,
     Comparison::Both = 3,
 });
+
+impl Coded for TextureKind {
+    fn code(self) -> u8 {
+        match self {
+            Self::Checker => 0,
+            Self::Grid => 1,
+            Self::Polar => 2,
+            Self::Conformal | Self::Tiling => 3, // a section says which
+            Self::Image => 4,
+        }
+    }
+
+    fn of(code: u8) -> Result<Self, LinkError> {
+        const TEXTURES: [TextureKind; 5] =
+            [TextureKind::Checker, TextureKind::Grid, TextureKind::Polar, TextureKind::Conformal, TextureKind::Image];
+        let unknown = || LinkError::Unknown { what: Choice::Texture, name: code.to_string() };
+        TEXTURES.get(usize::from(code)).copied().ok_or_else(unknown)
+    }
+}

@@ -479,3 +479,29 @@ fn the_painted_region_travels_in_a_section_that_may_be_skipped() {
     let refused = with_section(version2::Section { number: 9, may_be_skipped: true, content: bytes });
     assert!(matches!(refused, Err(LinkError::OutOfRange(_))), "{refused:?}");
 }
+
+#[test]
+fn a_tiling_travels_in_a_section_that_may_be_skipped() {
+    use crate::tiling::{Tiling, TilingPattern, TilingStyle};
+    let pattern = TilingPattern { tiling: Tiling::new(4, 5).unwrap(), style: TilingStyle::Triangles };
+    let set = Session::default().and([Command::SetTiling(pattern)]);
+    for session in [set.clone(), set.and([Command::SetTexture(TextureKind::Tiling)]), shown_by_default()] {
+        let fragment = encode(&session).unwrap().fragment;
+        assert!(fragment.starts_with("s=2."), "{fragment}");
+        assert_eq!(decode(&fragment).unwrap(), Decoded { session, missing: Vec::new() });
+    }
+    // what programs older than tilings read: section 8 is unknown to them, and is skipped
+    let wired = PerSide::from_fn(|side| prepared(&shown_by_default().domain(side).outline).wired());
+    let wired = Version2::new(&shown_by_default(), wired, &PerSide::new(None, None)).unwrap().renumbered(8, 999);
+    let older = decode(&framed(NEWEST, &postcard::to_allocvec(&wired).unwrap()).unwrap()).unwrap().session;
+    assert_eq!(older, Session::with([Command::SetTexture(TextureKind::Conformal)]));
+    for damaged in [vec![4, 4, 0, 1], vec![7, 3, 9, 1], vec![7]] {
+        let found = with_section(version2::Section { number: 8, may_be_skipped: true, content: damaged });
+        assert_eq!(found, Err(LinkError::Damaged));
+    }
+}
+
+/// The default session with the default tiling as its pattern.
+fn shown_by_default() -> Session {
+    Session::with([Command::SetTexture(TextureKind::Tiling)])
+}

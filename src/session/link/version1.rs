@@ -17,6 +17,7 @@ use crate::mesh::{BarycentricPoint, Sizing, TriangleId};
 use crate::outline::{CurveForm, Preset, Sampling};
 use crate::session::view::Display;
 use crate::session::{DomainSpec, OutlineSpec, Session, SideState, SurfaceShape, SurfaceSpec, SurfaceState};
+use crate::tiling::TilingPattern;
 use serde::{Deserialize, Serialize};
 
 /// The outline used in place of one that the link does not hold.
@@ -118,6 +119,7 @@ impl Version1 {
                     plots,
                     comparison,
                     picture: _, // in a section of version 2
+                    tiling: _,  // the same
                 },
             pins: _,   // a section of version 2
             region: _, // the same
@@ -174,6 +176,7 @@ impl Version1 {
                 texture: Coded::of(self.texture)?,
                 texture_scale: self.texture_scale,
                 texture_side: Coded::of(self.texture_side)?,
+                tiling: TilingPattern::default(),
                 colouring: Coded::of(self.colouring)?,
                 wireframe: self.wireframe,
                 plots: self.plots,

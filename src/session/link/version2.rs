@@ -12,6 +12,7 @@
 //! | 4 | the placement of the image, where it is not the default: it changes no map | yes |
 //! | 5, 6 | the loop that is the outline of the source's, the target's surface, and whether its holes are painted | no |
 //! | 7 | the pins, pairs of fractions; the points of the map through them are in the link too | yes |
+//! | 8 | the hyperbolic tiling, and whether it is the pattern; to readers without it that is the conformal grid | yes |
 //! | 9 | the painted region: runs of disks or balls of one radius; it changes no map | yes |
 
 use super::codes::Coded;
@@ -20,6 +21,7 @@ use super::version1::{Surface, Version1, WiredOutline};
 use super::{Choice, Decoded, LinkError, MissingOutline};
 use crate::conformal::{PerSide, Pins, Side};
 use crate::geometry::PicturePlacement;
+use crate::session::view::KeptTiling;
 use crate::session::{OutlineSpec, Session, SurfaceState};
 use serde::{Deserialize, Serialize};
 
@@ -34,6 +36,9 @@ const LOOPS: PerSide<u16> = PerSide::new(5, 6);
 
 /// The section with the pins.
 const PINS: u16 = 7;
+
+/// The section with the tiling.
+const TILING: u16 = 8;
 
 /// The section with the painted region.
 const REGION: u16 = 9;
@@ -59,6 +64,7 @@ pub(super) fn is_needed(session: &Session) -> bool {
         || !session.picture().is_default()
         || session.pins().is_some()
         || !session.region().is_empty()
+        || session.display.without_tiling().1.is_some()
 }
 
 impl Version2 {
@@ -94,6 +100,10 @@ impl Version2 {
             let content = postcard::to_allocvec(&pairs).ok()?;
             sections.push(Section { number: PINS, may_be_skipped: true, content });
         }
+        if let (_, Some(tiling)) = session.display.without_tiling() {
+            let content = postcard::to_allocvec(&tiling).ok()?;
+            sections.push(Section { number: TILING, may_be_skipped: true, content });
+        }
         if !session.region().is_empty() {
             let content = postcard::to_allocvec(&super::region::runs(session.region())).ok()?;
             sections.push(Section { number: REGION, may_be_skipped: true, content });
@@ -118,6 +128,7 @@ impl Version2 {
                     let pairs = super::whole::<Vec<[f64; 2]>>(content)?.into_iter().map(PerSide::from);
                     decoded.session.pins = Some(Pins::new(pairs).map_err(LinkError::Pins)?);
                 }
+                TILING => decoded.session.display.put_tiling(super::whole::<KeptTiling>(content)?),
                 REGION => decoded.session.region = super::region::dabs(super::whole(content)?),
                 _ if *number == LOOPS.source => choose_loops(&mut decoded, Side::Source, content)?,
                 _ if *number == LOOPS.target => choose_loops(&mut decoded, Side::Target, content)?,
@@ -132,6 +143,13 @@ impl Version2 {
             decoded.session.pins = None;
         }
         Ok(decoded)
+    }
+
+    /// This link with another number for its sections of the number `old`.
+    #[cfg(test)]
+    pub fn renumbered(mut self, old: u16, new: u16) -> Self {
+        self.sections.iter_mut().filter(|section| section.number == old).for_each(|section| section.number = new);
+        self
     }
 
     /// This link with one more section.

@@ -50,6 +50,11 @@ fn make_pieces() -> Vec<Piece> {
             key::polar_star_about(),
             planar(Preset::Disk, Preset::Star).and([Command::SetTexture(TextureKind::Conformal)]),
         ),
+        piece(
+            key::hyperbolic_tiles(),
+            key::hyperbolic_tiles_about(),
+            planar(Preset::Disk, Preset::Cinquefoil).and([Command::SetTexture(TextureKind::Tiling)]),
+        ),
         piece(key::around_corner(), key::around_corner_about(), planar(Preset::LShape, Preset::Disk)),
         piece(key::leaf_flower(), key::leaf_flower_about(), planar(Preset::MapleLeaf, Preset::Cinquefoil)),
         piece(key::hand_blob(), key::hand_blob_about(), planar(Preset::Hand, Preset::Blob)),

@@ -10,6 +10,7 @@ use crate::model::scene::{Offscreen, OffscreenSurface, SurfaceFiles};
 use crate::outline::Sampling;
 use crate::render::{LocalScale, MeshGeometry, Pattern, TextureStyle, double_area};
 use crate::session::{Command, Comparison, Session, SurfaceShape, SurfaceSpec};
+use crate::tiling::{TilingPattern, TilingStyle, depth};
 use egui::{Color32, ColorImage};
 
 /// Width and height of a thumbnail, in points.
@@ -111,7 +112,7 @@ impl Canvas {
         scale.set(coordinates.len(), triangles);
         let scales = scale.compute(|corners| double_area(coordinates, corners), double_area_in_pixels);
         let whole = self.pixels_per_unit(style.bounds.into()).log2();
-        scales.iter().map(|&scale| f64::from(scale) + whole).collect()
+        scales.iter().map(|[scale, _]| f64::from(*scale) + whole).collect()
     }
 
     fn plane(&mut self, mesh: &MeshGeometry<'_>, half: usize, style: &TextureStyle) {
@@ -219,6 +220,8 @@ const BOTTOM: [f32; 3] = [0.18, 0.42, 0.58];
 const PAPER: [f32; 3] = [0.96, 0.93, 0.86];
 /// Half the width of a line, in cells.
 const LINE: f64 = 0.07;
+/// The width of a line along the edge of a tile, in inradii.
+const TILE_LINE: f64 = 0.12;
 
 /// Octaves further from the plain pattern than these are not seen at this size.
 const OCTAVES: std::ops::RangeInclusive<f64> = -12.0..=3.0;
@@ -227,9 +230,9 @@ const FADE: [f64; 2] = [0.4, 0.6];
 
 /// The pattern's color at a texture coordinate (xy) of an octave (z).
 fn colour(p: DVec3, style: &TextureStyle) -> [f32; 3] {
-    // the conformal grid's cells shrink towards the center by themselves
-    let is_conformal = style.pattern == Pattern::Conformal;
-    let octave = if is_conformal { 0.0 } else { p.z.clamp(*OCTAVES.start(), *OCTAVES.end()) };
+    // their cells shrink by themselves
+    let is_in_disk = matches!(style.pattern, Pattern::Conformal | Pattern::Tiling { .. });
+    let octave = if is_in_disk { 0.0 } else { p.z.clamp(*OCTAVES.start(), *OCTAVES.end()) };
     let share = ((octave - octave.floor() - FADE[0]) / (FADE[1] - FADE[0])).clamp(0.0, 1.0);
     let at =
         |octave: f64| plain_colour(p.truncate(), &TextureStyle { cells: style.cells * (-octave).exp2(), ..*style });
@@ -238,6 +241,20 @@ fn colour(p: DVec3, style: &TextureStyle) -> [f32; 3] {
     }
     let (finer, coarser) = (at(octave.floor()), at(octave.floor() + 1.0));
     std::array::from_fn(|k| finer[k] + share as f32 * (coarser[k] - finer[k]))
+}
+
+/// Whether a tiling shows the light color at a point of the disk, and the height at which the others are colored.
+fn tile_shade(p: DVec2, TilingPattern { tiling, style }: TilingPattern) -> (bool, f64) {
+    let Some(folded) = tiling.fold(p) else { return (false, 0.0) };
+    let on_edge = folded.distances[2] < TILE_LINE * tiling.inradius();
+    let height = |point| 1.0 - depth(point);
+    let of_tile = height(folded.tile.center());
+    match style {
+        TilingStyle::Tiles if tiling.is_two_colorable() => (folded.tile.half_turns % 2 == 1, of_tile),
+        TilingStyle::Triangles => (folded.is_mirrored, height(p)),
+        TilingStyle::Edges => (on_edge, height(p)),
+        TilingStyle::Tiles | TilingStyle::Picture => (on_edge, of_tile),
+    }
 }
 
 /// The color of the pattern without octaves.
@@ -254,6 +271,7 @@ fn plain_colour(p: DVec2, style: &TextureStyle) -> [f32; 3] {
             (on_line(radius) || on_line(per_radian * g.to_angle()), 1.0 - g.length() / (high - low).max_element())
         }
         Pattern::Grid => (on_line(p.x / cell) || on_line(p.y / cell), (p.y - low.y) / (high.y - low.y)),
+        Pattern::Tiling { pattern, .. } => tile_shade(p, pattern),
         Pattern::Checker | Pattern::Image | Pattern::Placed(_) => {
             let cells = ((p - 0.5 * (low + high)) / cell).floor();
             ((cells.x + cells.y).rem_euclid(2.0) == 0.0, (p.y - low.y) / (high.y - low.y))
