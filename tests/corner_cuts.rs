@@ -85,10 +85,8 @@ fn checked(map: &ConformalMap, outline: &Outline) -> CornerCuts {
         if let Divided::Edge { ends, fraction } = added.divides {
             let [a, b] = ends.map(|v| own.vertices()[v.index()]);
             assert_eq!(added.place, a.lerp(b, fraction));
-            assert!(
-                (1..own.boundary_count())
-                    .contains(&((ends[1].number() + own.boundary_count() - ends[0].number()) % own.boundary_count()))
-            );
+            let has_both = |t: &&[u32; 3]| ends.iter().all(|end| t.contains(&end.number()));
+            assert!((1..=2).contains(&own.triangles().iter().filter(has_both).count()), "{ends:?} is an edge");
         }
     }
     cuts
@@ -115,11 +113,13 @@ fn the_layout_of_a_square_is_the_whole_square() {
 #[test]
 fn reentrant_corners_are_hit_too_and_the_boundary_is_the_outline() {
     let surface = SurfacePreset::Saddle.surface(50).unwrap();
-    for preset in [Preset::LShape, Preset::MapleLeaf] {
+    // the notches of the leaf are narrower than the edges of this surface: next to some no quadrangle has a kernel
+    for (preset, most) in [(Preset::LShape, 0), (Preset::MapleLeaf, 3)] {
         let outline = preset.outline();
         let cuts = checked(&map(&surface, &outline, [0.1, 0.0]), &outline);
         println!("{}: {} corners, {} folded", preset.name(), cuts.at_corners().len(), cuts.folded());
         assert!(cuts.at_corners().len() >= 6);
+        assert!(cuts.folded() <= most, "{}", preset.name());
     }
     let l_shape = Preset::LShape.outline();
     let area = layout_area(&checked(&map(&surface, &l_shape, [0.1, 0.0]), &l_shape));

@@ -85,7 +85,7 @@ impl RiemapApp {
             Action::Recall(habit) => self.recall(habit),
             Action::TogglePanels => self.fold_panels(),
             Action::ToggleColumn => {
-                let open = self.screen.column_open(context.content_rect().height());
+                let open = self.screen.column_open(context.content_rect().size(), self.windows.lesson.is_open);
                 self.screen.column_asked = Some(!open);
             }
             Action::OpenSheet(open) => self.screen.sheet_open = open,

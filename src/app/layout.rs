@@ -67,7 +67,7 @@ pub fn show(app: &RiemapApp, ui: &mut Ui) -> LaidOut {
         }
         if narrow && !is_touring && !makes_lesson {
             pointed = sheet(app, ui, &mut actions);
-        } else if !narrow && !is_touring && app.screen.column_open(ui.ctx().content_rect().height()) {
+        } else if !narrow && !is_touring && app.screen.column_open(ui.ctx().content_rect().size(), makes_lesson) {
             panel(app, ui, &mut actions);
         }
         if welcomes(app) {

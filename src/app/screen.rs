@@ -28,11 +28,16 @@ pub struct Screen {
 /// laptop's window at 200 % (720 × 450, with 226 points left for each picture) have no width for it; the smallest laptop
 /// screens (1280 × 720) have.
 const LOW: f32 = 520.0;
+/// On a screen narrower than this, in points, it is folded at first beside the panel of a lesson: together they would
+/// leave a tablet (820) 288 points for the pictures.
+const NARROW: f32 = 1000.0;
 
 impl Screen {
-    /// Whether the column of controls is unfolded, on a screen of this height; in a presentation it is folded at first.
-    pub fn column_open(&self, height: f32) -> bool {
-        self.column_asked.unwrap_or(height >= LOW && self.zoom < PRESENTATION_ZOOM)
+    /// Whether the column of controls is unfolded, on a screen of this size and beside the panel of a lesson or not; in a
+    /// presentation it is folded at first.
+    pub fn column_open(&self, size: egui::Vec2, makes_lesson: bool) -> bool {
+        let has_room = size.y >= LOW && (size.x >= NARROW || !makes_lesson);
+        self.column_asked.unwrap_or(has_room && self.zoom < PRESENTATION_ZOOM)
     }
 
     /// The state before the first frame.

@@ -57,6 +57,9 @@ impl RiemapApp {
         if self.persistence.visits.current() != Some(id) {
             return; // the user has gone on
         }
+        if let Some(kept) = &kept {
+            self.persistence.visits.rename(&kept.id);
+        }
         match kept.map(|kept| kept.archive()) {
             Some(Ok(archive)) => self.show_archive(archive),
             Some(Err(error)) => self.refuse_visit(&error),

@@ -86,7 +86,7 @@ fn triangles_without_area_are_named() {
     let flat =
         TopologyError::Degenerate { triangle: TriangleId::new(0), corners: [0, 1, 4].map(VertexId::new), count: 1 };
     assert_eq!(error(&surface), flat);
-    assert_eq!(flat.to_string(), "triangle 0 [0, 1, 4] has no area");
+    assert_eq!(flat.to_string(), "triangle 0 [0, 1, 4] has no area: merge its corners or drop it");
     let mut surface = grid(2);
     surface.triangles.push([3, 4, 4]);
     assert_eq!(
@@ -128,7 +128,10 @@ fn edges_and_vertices_that_are_no_manifold_are_named() {
         count: 1,
     };
     assert_eq!(error(&surface), expected);
-    assert_eq!(expected.to_string(), "the edge from vertex 0 to 4 has more than two triangles: [0, 1, 8]");
+    assert_eq!(
+        expected.to_string(),
+        "the edge from vertex 0 to 4 has more than two triangles, [0, 1, 8]: delete all but two"
+    );
     assert_eq!(SurfaceMesh::repaired(&surface).unwrap_err(), expected);
     let mut surface = grid(2);
     surface.vertices.extend([DVec3::Z, DVec3::new(1.0, 0.0, 1.0)]);

@@ -68,8 +68,8 @@ pub enum TopologyError {
     /// Triangles without area.
     #[error("{}", counted!(
         *count,
-        "triangle {triangle} {} has no area",
-        "{count} triangles have no area, the first is triangle {triangle} {}",
+        "triangle {triangle} {} has no area: merge its corners or drop it",
+        "{count} triangles have no area, the first is triangle {triangle} {}: merge their corners or drop them",
         Bracketed(corners)
     ))]
     Degenerate {
@@ -101,8 +101,9 @@ pub enum TopologyError {
     /// Edges with three triangles or more.
     #[error("{}", counted!(
         *count,
-        "the edge from vertex {} to {} has more than two triangles: {}",
-        "{count} edges have more than two triangles, the first, from vertex {} to {}, the triangles {}",
+        "the edge from vertex {} to {} has more than two triangles, {}: delete all but two",
+        "{count} edges have more than two triangles, the first, from vertex {} to {}, the triangles {}: delete all but \
+         two at each",
         edge[0],
         edge[1],
         Bracketed(triangles)
@@ -136,7 +137,10 @@ pub enum TopologyError {
         count: usize,
     },
     /// The surface has one side only, like a Möbius strip.
-    #[error("the surface has one side only (as a Möbius strip): no orientation of triangle {triangle} fits")]
+    #[error(
+        "the surface has one side only (as a Möbius strip): no orientation of triangle {triangle} fits, cut it \
+             open"
+    )]
     OneSided {
         /// A triangle at which two orientations meet.
         triangle: TriangleId,
@@ -144,8 +148,9 @@ pub enum TopologyError {
     /// Vertices at which several fans of triangles meet.
     #[error("{}", counted!(
         *count,
-        "vertex {vertex} joins parts that share no edge: {fans} fans of triangles",
-        "{count} vertices join parts that share no edge, the first is vertex {vertex} with {fans} fans of triangles"
+        "vertex {vertex} joins parts that share no edge, {fans} fans of triangles: give each its own vertex there",
+        "{count} vertices join parts that share no edge, the first is vertex {vertex} with {fans} fans of triangles: give \
+         each its own vertex there"
     ))]
     NonManifoldVertex {
         /// The first such vertex.

@@ -58,6 +58,19 @@ export class App {
     });
   }
 
+  /** Opens another tab as "Duplicate tab" does: with the address and the entry of the history of this one. */
+  async duplicate() {
+    const page = await this.#page.context().newPage();
+    await page.addInitScript(makeFramesHoldable);
+    await page.addInitScript((state) => {
+      if (sessionStorage.getItem('duplicated')) return; // it is reloaded
+      sessionStorage.setItem('duplicated', 'yes');
+      history.replaceState(state, '');
+    }, await this.#page.evaluate(() => history.state));
+    await page.goto(this.address());
+    return new App(page, this.#backend);
+  }
+
   /** Runs `act` on the app, then closes it; fails if the test failed or a fault was recorded. */
   async during(act) {
     try {

@@ -205,6 +205,36 @@ withOneBackend('kept', (bench) => {
   );
 
   test(
+    'a duplicated tab goes on with a copy, and neither tab overwrites the other',
+    bench.withApp(async (app) => {
+      const change = async (tab, scale, undo) => {
+        const before = tab.address();
+        await tab.openSession({ texture_scale: scale });
+        await tab.until('a step', (stats, steps) => stats.ready && stats.undo === steps, undo);
+        await tab.otherAddress(before);
+        await untilKept(tab, 'history.json');
+      };
+      const visitOf = (tab) => tab.page.evaluate(() => history.state.riemap);
+      await app.otherAddress(bench.address());
+      await change(app, 11, 1);
+      const twin = await app.duplicate();
+      const { undo } = await twin.atRest('the same is shown');
+      assert.deepEqual([undo, await twin.session()], [1, await app.session()], 'with its undo steps');
+      assert.notEqual(await visitOf(twin), await visitOf(app));
+      await twin.reload();
+      assert.equal((await twin.stats()).undo, 1, 'the copy is kept at once');
+      await change(twin, 29, 2);
+      await change(app, 17, 2);
+      for (const [tab, scale] of [[twin, 29], [app, 17]]) {
+        const visit = await visitOf(tab);
+        const again = await tab.reload();
+        assert.deepEqual([again.undo, (await tab.session()).texture_scale], [2, scale]);
+        assert.equal(await visitOf(tab), visit, 'a reload goes on with the same');
+      }
+    }),
+  );
+
+  test(
     'without a database the session alone is kept, which is said once',
     bench.withApp(
       async (app) => {

@@ -10,7 +10,12 @@ const MOST_VISITS = 12;
 /** How long the database may take to open, in ms: without it the app starts with what the address says. */
 const OPENS_WITHIN = 3000;
 
+/** How long a lock may take that another tab holds, in ms: that of a page that is being reloaded is released late. */
+const RELEASED_WITHIN = 300;
+
 let opened = null;
+/** For each visit of this tab whether no other tab has it. */
+const held = new Map();
 
 /** The result of a request, as a promise. */
 const result = (request) => new Promise((resolve, reject) => {
@@ -35,6 +40,22 @@ function database() {
     request.onerror = () => reject(request.error);
   });
   return opened;
+}
+
+/** Takes a visit for this tab while it is open. Resolves to whether no other tab has it; without locks, to true. */
+function hold(id) {
+  const ask = () => new Promise((resolve) => {
+    if (!navigator.locks) return resolve(true);
+    const late = new AbortController();
+    setTimeout(() => late.abort(), RELEASED_WITHIN);
+    const keep = () => {
+      resolve(true);
+      return new Promise(() => {});
+    };
+    return navigator.locks.request(`riemap visit ${id}`, { signal: late.signal }, keep).catch(() => resolve(false));
+  });
+  if (!held.has(id)) held.set(id, ask());
+  return held.get(id);
 }
 
 /** The visits in a transaction, the newest first. */
@@ -101,6 +122,19 @@ async function load(id) {
 }
 
 /**
+ * The id under which this tab goes on with a visit: its own, or `fresh` with a copy of the record if another tab has it.
+ * A duplicated tab has the entries of the other one's history, and would overwrite what that stores.
+ */
+async function own(id, fresh) {
+  if (await hold(id)) return id;
+  hold(fresh);
+  const transaction = (await database()).transaction("visits", "readwrite");
+  const visit = await result(transaction.objectStore("visits").get(id));
+  if (visit) await result(transaction.objectStore("visits").put({ ...visit, id: fresh }));
+  return fresh;
+}
+
+/**
  * What the app starts with: the visit of this entry of the browser's history, else the newest one of this link, else,
  * without a link, the newest; null if there is none. With the list of all visits.
  */
@@ -112,4 +146,4 @@ async function first(id, link) {
   return { visit: found ? await complete(transaction, found) : null, visits: listed(visits) };
 }
 
-export const store = { first, keep, load };
+export const store = { first, hold, keep, load, own };

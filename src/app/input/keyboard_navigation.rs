@@ -126,7 +126,7 @@ pub fn of_viewport(ui: &Ui, response: &Response, side: Side, handles: &mut Handl
 }
 
 /// The [`arrow_keys`] of the focused control, which are kept from moving the focus.
-fn held_arrows(ui: &Ui, response: &Response) -> [Vec2; 2] {
+pub fn held_arrows(ui: &Ui, response: &Response) -> [Vec2; 2] {
     let ours = EventFilter { horizontal_arrows: true, vertical_arrows: true, tab: false, escape: false };
     if response.gained_focus() {
         // the filter takes effect in the second frame; in the first one an arrow key would move the focus

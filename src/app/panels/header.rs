@@ -46,9 +46,11 @@ pub fn has_room(ui: &Ui, width: f32) -> bool {
 const TITLE_HEIGHT: f32 = 28.0;
 const TITLE_LINE: f32 = 18.0;
 
-/// The least width of the title beside all buttons, and beside the buttons of a narrow picture.
+/// The least width of the title beside all buttons, and the limits of that beside the buttons of a narrow picture: the
+/// names of all presets are shown whole.
 const TITLE_WIDTH: f32 = 190.0;
 const LEAST_TITLE: f32 = 90.0;
+const MOST_TITLE: f32 = 130.0;
 /// Between the title and the buttons.
 const BESIDE_TITLE: f32 = 6.0;
 
@@ -108,7 +110,8 @@ fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surr
     if panels.is_some_and(|button| button.clicked()) {
         actions.push(Action::TogglePanels);
     }
-    let all_fit = narrow_row(ui, side) + LEAST_TITLE <= ui.available_width();
+    let name = text_width(ui, &words::shape(model.shape(side)), theme::bold(14.0)) + BESIDE_TITLE;
+    let all_fit = narrow_row(ui, side) + name.clamp(LEAST_TITLE, MOST_TITLE) <= ui.available_width();
     if all_fit {
         fit_button(ui, side, is_fitted, actions);
     }
@@ -204,18 +207,7 @@ pub const LEGEND_HEIGHT: f32 = 32.0;
 pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View, beside: f32) {
     let low = view.rect.bottom();
     let place = view.rect.with_min_y(low - LEGEND_HEIGHT + 2.0).with_max_y(low - 8.0).shrink2(vec2(14.0, 0.0));
-    let (interior, boundary) = match side {
-        Side::Source => (key::interior_point_x1(), key::boundary_point_y1()),
-        Side::Target => (key::x2_f_x1(), key::y2_f_y1()),
-    };
-    let explained = |kind| Some(dots::explanation(Handle { side, kind }));
-    let dots = match model.pins() {
-        Some(_) => vec![(BOUNDARY_COLOUR, tr(key::pins_in_legend()), explained(HandleKind::Pin(0)))],
-        None => vec![
-            (INTERIOR_COLOUR, tr(interior), explained(HandleKind::Interior)),
-            (BOUNDARY_COLOUR, tr(boundary), explained(HandleKind::Boundary)),
-        ],
-    };
+    let dots = dot_entries(ui, side, model, place.width());
     let dashes = overlays::paint::legend(side, model, ui.visuals().dark_mode);
     let dashes: Vec<Entry> = dashes.into_iter().map(|(colour, text)| (colour, text, None)).collect();
     let all: f32 = dots.iter().chain(&dashes).map(|(_, text, _)| entry_width(ui, text)).sum();
@@ -234,6 +226,25 @@ pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View, beside: f32) 
             over_the_mesh(ui, |ui| entries(ui, &dashes, widgets::dash));
         });
     }
+}
+
+/// The entries of the dots; where their words do not fit into `room`, their symbols alone.
+fn dot_entries(ui: &Ui, side: Side, model: &Model, room: f32) -> Vec<Entry> {
+    let explained = |kind| Some(dots::explanation(Handle { side, kind }));
+    if model.pins().is_some() {
+        return vec![(BOUNDARY_COLOUR, tr(key::pins_in_legend()), explained(HandleKind::Pin(0)))];
+    }
+    let (words, symbols) = match side {
+        Side::Source => ([key::interior_point_x1(), key::boundary_point_y1()], ["x₁", "y₁"]),
+        Side::Target => ([key::x2_f_x1(), key::y2_f_y1()], ["x₂", "y₂"]),
+    };
+    let words = words.map(tr);
+    let fit = words.iter().map(|text| entry_width(ui, text)).sum::<f32>() <= room;
+    let [interior, boundary] = if fit { words } else { symbols };
+    vec![
+        (INTERIOR_COLOUR, interior, explained(HandleKind::Interior)),
+        (BOUNDARY_COLOUR, boundary, explained(HandleKind::Boundary)),
+    ]
 }
 
 /// Free space after an entry, in addition to the usual spacing.

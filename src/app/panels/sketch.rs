@@ -1,12 +1,14 @@
-//! The picture of a surface that cannot be opened: its triangles as lines, its faults in red. Dragging turns it.
+//! The picture of a surface that cannot be opened: its triangles as lines, its faults in red. Dragging turns it, and so
+//! do the arrow keys where it has the focus.
 
+use crate::app::input::keyboard_navigation::held_arrows;
 use crate::app::theme::widgets::caption_font;
 use crate::app::theme::{Palette, ROUNDING};
 use crate::language::{key, say};
 use crate::worker::{Place, Sketch};
 use egui::{
-    Color32, CornerRadius, CursorIcon, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo,
-    vec2,
+    Color32, CornerRadius, CursorIcon, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind, Ui, Vec2,
+    WidgetInfo, vec2,
 };
 use glam::{EulerRot, Mat3, Vec3};
 
@@ -19,8 +21,11 @@ const FILLED: f32 = 0.94;
 const FIRST_TURNS: [f32; 2] = [0.6, 0.4];
 /// The space around the words, in points.
 const INSET: f32 = 6.0;
-/// Radians for a point of dragging.
+/// Radians for a point of dragging, and the points that an arrow key is worth: coarse, and with Shift.
 const TURN: f32 = 0.01;
+const STEPS: [f32; 2] = [20.0, 2.0];
+/// The width of the edge that shows the keyboard's focus, in points.
+const FOCUS_RING: f32 = 2.0;
 /// The width of a faulty edge, and the radius of the circle around what would be too small to see, in points.
 const MARK: f32 = 2.5;
 const RING: f32 = 6.0;
@@ -38,26 +43,38 @@ pub fn show(ui: &mut Ui, sketch: &Sketch, most: f32) {
     let marked = sketch.edges.len() + sketch.vertices.len();
     let words = say(&key::faults_in_red(marked, sketch.unmarked));
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, words.clone()));
-    let mut turns: [f32; 2] = ui.data(|data| data.get_temp(response.id)).unwrap_or(FIRST_TURNS);
-    if response.dragged() {
-        let moved = TURN * response.drag_delta();
-        turns = [turns[0] + moved.x, (turns[1] + moved.y).clamp(-1.5, 1.5)];
-        ui.data_mut(|data| data.insert_temp(response.id, turns));
-    }
+    let turns = turns(ui, &response);
     let above = caption(ui, &words, rect);
-    paint(ui, sketch, rect, above, turns);
+    let colors = Palette::of(ui.visuals());
+    let edge = if response.has_focus() { (FOCUS_RING, colors.accent_soft) } else { (1.0, colors.border) };
+    paint(ui, sketch, [rect, above], turns, edge.into());
     response.on_hover_cursor(CursorIcon::Grab).on_hover_text(words);
 }
 
-/// Draws the surface in the part `above` the words.
-fn paint(ui: &Ui, sketch: &Sketch, rect: Rect, above: Rect, turns: [f32; 2]) {
+/// The turns around the vertical and down, after what the pointer and the arrow keys add in this frame.
+fn turns(ui: &Ui, response: &Response) -> [f32; 2] {
+    let mut moved = if response.dragged() { response.drag_delta() } else { Vec2::ZERO };
+    if response.has_focus() {
+        let [coarse, fine] = held_arrows(ui, response);
+        moved += STEPS[0] * coarse + STEPS[1] * fine;
+    }
+    let [around, down] = ui.data(|data| data.get_temp(response.id)).unwrap_or(FIRST_TURNS);
+    let turns = [around + TURN * moved.x, (down + TURN * moved.y).clamp(-1.5, 1.5)];
+    if moved != Vec2::ZERO {
+        ui.data_mut(|data| data.insert_temp(response.id, turns));
+    }
+    turns
+}
+
+/// Draws the surface in the part `above` the words, and the edge of the whole.
+fn paint(ui: &Ui, sketch: &Sketch, [rect, above]: [Rect; 2], turns: [f32; 2], edge: Stroke) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(rect);
     let at = projection(sketch, above, turns);
     let line = Stroke::new(1.0, palette.text.gamma_multiply(0.25));
     painter.extend(sketch.triangles.iter().map(|corners| Shape::closed_line(corners.map(&at).to_vec(), line)));
     marks(&painter, sketch, palette.error_edge, &at);
-    painter.rect_stroke(rect, CornerRadius::same(ROUNDING), Stroke::new(1.0, palette.border), StrokeKind::Inside);
+    painter.rect_stroke(rect, CornerRadius::same(ROUNDING), edge, StrokeKind::Inside);
 }
 
 /// Paints the ground and says at its lower edge what is red, where there is room; returns the part above.

@@ -1,13 +1,13 @@
 //! Layout: all controls are on the screen and do not overlap, on a desktop, a tablet and a phone, in both languages.
 
-use crate::app::input::action::{EditAction, ExploreAction, ExportAction, Report};
+use crate::app::input::action::{EditAction, ExploreAction, ExportAction, LessonAction, Report};
 use crate::app::input::preferences::Preferences;
 use crate::app::panels::offer::Offer;
 use crate::app::tests::ready_app;
 use crate::app::viewport::legend;
 use crate::app::*;
 use crate::conformal::Side;
-use crate::language::{self, Language, key, tr};
+use crate::language::{self, Label, Language, key, tr};
 use crate::model::side::user_error::UserError;
 use crate::session::{Colouring, OutlineSpec};
 use crate::worker::Sketch;
@@ -298,6 +298,49 @@ fn a_long_message_of_a_side_ends_above_the_edit_bar() {
         let cross = screen.get_by_label("Close this message").rect();
         assert!(cross.bottom() < bar.top(), "{size:?}: the cross at {cross:?} is under the bar at {bar:?}");
     }
+}
+
+#[test]
+fn the_buttons_of_a_lesson_in_german_do_not_overlap_and_undo_and_redo_are_in_one_row() {
+    for size in [[1280.0, 720.0], TABLET, PHONE, [320.0, 640.0], LYING_PHONE] {
+        let mut screen = screen(size, Language::German);
+        for action in [LessonAction::Open, LessonAction::Add, LessonAction::Add, LessonAction::Undo] {
+            act(&mut screen, Action::Lesson(action));
+        }
+        let rects_of =
+            |label: Label| -> Vec<Rect> { screen.get_all_by_label(tr(label)).map(|node| node.rect()).collect() };
+        let row = [key::show_step(), key::renew_step(), key::step_up(), key::step_down(), key::delete_step()];
+        let [undo, redo] = [key::undo_in_lesson(), key::redo_in_lesson()].map(|label| rects_of(label)[0]);
+        assert!((undo.center().y - redo.center().y).abs() < 1.0, "{size:?}: {undo:?}, {redo:?}");
+        let all: Vec<Rect> = row.into_iter().flat_map(rects_of).chain([undo, redo]).collect();
+        for (k, a) in all.iter().enumerate() {
+            let covered = all[..k].iter().find(|b| a.shrink(0.5).intersects(**b));
+            assert!(covered.is_none(), "{size:?}: {a:?} over {covered:?}");
+        }
+    }
+}
+
+#[test]
+fn a_narrow_picture_has_room_for_its_whole_title_and_a_legend_in_symbols() {
+    let mut screen = screen([720.0, 450.0], Language::English);
+    screen.get_by_label("interior point x₁");
+    act(&mut screen, Action::Lesson(LessonAction::Open));
+    let picture = screen.state().pictures.views.source.rect;
+    for symbol in ["x₁", "y₁", "Gingerbread man"] {
+        assert!(picture.contains_rect(screen.get_by_label(symbol).rect()), "{symbol} is in {picture:?}");
+    }
+    let beside: Vec<String> = buttons(&screen, |rect| picture.contains_rect(rect)).into_iter().map(|it| it.0).collect();
+    assert_eq!(beside, ["Edit"], "no button takes the room of the title");
+}
+
+#[test]
+fn beside_the_panel_of_a_lesson_a_tablet_keeps_half_of_its_width_for_the_pictures() {
+    let mut screen = screen(TABLET, Language::English);
+    act(&mut screen, Action::Lesson(LessonAction::Open));
+    let width = |screen: &Screen| screen.state().pictures.views.source.rect.width();
+    assert!(width(&screen) > 0.5 * TABLET[0], "{}", width(&screen));
+    act(&mut screen, Action::ToggleColumn);
+    assert!(width(&screen) < 0.5 * TABLET[0], "the column is there when it is asked for");
 }
 
 #[test]

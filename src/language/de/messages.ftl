@@ -217,25 +217,25 @@ topology_repeated_corner = { $count ->
    *[other] { $count } Dreiecke nennen eine Ecke zweimal, das erste ist Dreieck { $triangle } { $corners }: weglassen
 }
 topology_degenerate = { $count ->
-    [one] Dreieck { $triangle } { $corners } hat keinen Flächeninhalt
-   *[other] { $count } Dreiecke haben keinen Flächeninhalt, das erste ist Dreieck { $triangle } { $corners }
+    [one] Dreieck { $triangle } { $corners } hat keinen Flächeninhalt: seine Ecken verschmelzen oder es weglassen
+   *[other] { $count } Dreiecke haben keinen Flächeninhalt, das erste ist Dreieck { $triangle } { $corners }: ihre Ecken verschmelzen oder sie weglassen
 }
 topology_duplicates = { $count ->
     [one] Dreieck { $triangle } { $corners } hat dieselben Ecken wie Dreieck { $other }: weglassen
    *[other] { $count } Dreiecke haben dieselben Ecken wie ein anderes, das erste ist Dreieck { $triangle } { $corners }, wie Dreieck { $other }: weglassen
 }
 topology_non_manifold_edge = { $count ->
-    [one] die Kante von Ecke { $start } nach { $end } hat mehr als zwei Dreiecke: { $triangles }
-   *[other] { $count } Kanten haben mehr als zwei Dreiecke, die erste, von Ecke { $start } nach { $end }, die Dreiecke { $triangles }
+    [one] die Kante von Ecke { $start } nach { $end } hat mehr als zwei Dreiecke, { $triangles }: alle bis auf zwei löschen
+   *[other] { $count } Kanten haben mehr als zwei Dreiecke, die erste, von Ecke { $start } nach { $end }, die Dreiecke { $triangles }: jeweils alle bis auf zwei löschen
 }
 topology_orientation = { $count ->
     [one] die Kante von Ecke { $start } nach { $end } liegt zwischen Dreiecken verschiedener Orientierung, { $left } und { $right }: die Fläche einheitlich orientieren
    *[other] { $count } Kanten liegen zwischen Dreiecken verschiedener Orientierung, die erste von Ecke { $start } nach { $end }, zwischen den Dreiecken { $left } und { $right }: die Fläche einheitlich orientieren
 }
-topology_one_sided = die Fläche hat nur eine Seite (wie ein Möbiusband): Keine Orientierung von Dreieck { $triangle } passt
+topology_one_sided = die Fläche hat nur eine Seite (wie ein Möbiusband): Keine Orientierung von Dreieck { $triangle } passt, aufschneiden
 topology_non_manifold_vertex = { $count ->
-    [one] Ecke { $vertex } verbindet Teile ohne gemeinsame Kante: { $fans } Fächer von Dreiecken
-   *[other] { $count } Ecken verbinden Teile ohne gemeinsame Kante, die erste ist Ecke { $vertex } mit { $fans } Fächern von Dreiecken
+    [one] Ecke { $vertex } verbindet Teile ohne gemeinsame Kante, { $fans } Fächer von Dreiecken: jedem dort eine eigene Ecke geben
+   *[other] { $count } Ecken verbinden Teile ohne gemeinsame Kante, die erste ist Ecke { $vertex } mit { $fans } Fächern von Dreiecken: jedem dort eine eigene Ecke geben
 }
 topology_unreferenced = { $count ->
     [one] Ecke { $vertex } ist in keinem Dreieck: weglassen

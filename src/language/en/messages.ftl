@@ -217,25 +217,25 @@ topology_repeated_corner = { $count ->
    *[other] { $count } triangles name a vertex twice, the first is triangle { $triangle } { $corners }: drop them
 }
 topology_degenerate = { $count ->
-    [one] triangle { $triangle } { $corners } has no area
-   *[other] { $count } triangles have no area, the first is triangle { $triangle } { $corners }
+    [one] triangle { $triangle } { $corners } has no area: merge its corners or drop it
+   *[other] { $count } triangles have no area, the first is triangle { $triangle } { $corners }: merge their corners or drop them
 }
 topology_duplicates = { $count ->
     [one] triangle { $triangle } { $corners } has the same corners as triangle { $other }: drop it
    *[other] { $count } triangles have the same corners as another one, the first is triangle { $triangle } { $corners }, as triangle { $other }: drop them
 }
 topology_non_manifold_edge = { $count ->
-    [one] the edge from vertex { $start } to { $end } has more than two triangles: { $triangles }
-   *[other] { $count } edges have more than two triangles, the first, from vertex { $start } to { $end }, the triangles { $triangles }
+    [one] the edge from vertex { $start } to { $end } has more than two triangles, { $triangles }: delete all but two
+   *[other] { $count } edges have more than two triangles, the first, from vertex { $start } to { $end }, the triangles { $triangles }: delete all but two at each
 }
 topology_orientation = { $count ->
     [one] the edge from vertex { $start } to { $end } lies between triangles of different orientation, { $left } and { $right }: orient the surface consistently
    *[other] { $count } edges lie between triangles of different orientation, the first from vertex { $start } to { $end }, between the triangles { $left } and { $right }: orient the surface consistently
 }
-topology_one_sided = the surface has one side only (as a Möbius strip): no orientation of triangle { $triangle } fits
+topology_one_sided = the surface has one side only (as a Möbius strip): no orientation of triangle { $triangle } fits, cut it open
 topology_non_manifold_vertex = { $count ->
-    [one] vertex { $vertex } joins parts that share no edge: { $fans } fans of triangles
-   *[other] { $count } vertices join parts that share no edge, the first is vertex { $vertex } with { $fans } fans of triangles
+    [one] vertex { $vertex } joins parts that share no edge, { $fans } fans of triangles: give each its own vertex there
+   *[other] { $count } vertices join parts that share no edge, the first is vertex { $vertex } with { $fans } fans of triangles: give each its own vertex there
 }
 topology_unreferenced = { $count ->
     [one] vertex { $vertex } is in no triangle: drop it

@@ -126,6 +126,11 @@ impl Visits {
         }
     }
 
+    /// Gives the visit that is shown another id, since another tab has the former one.
+    pub fn rename(&mut self, id: &str) {
+        self.current = Some(id.to_owned());
+    }
+
     /// A visit that was left, if it is in memory.
     pub fn left(&self, id: &str) -> Option<&Left> {
         self.left.iter().find(|(left, _)| left == id).map(|(_, left)| left)

@@ -1,5 +1,6 @@
 //! The page's address and the browser's storage: sessions in links, and what is stored between visits.
 
+use super::store;
 use super::surroundings::is_framed;
 use crate::language::{Message, key};
 use crate::platform::{Event, Kept, Mailbox};
@@ -62,14 +63,25 @@ pub fn new_visit() -> Option<String> {
 
 /// Makes this entry of the browser's history show a visit, or, if it shows another one already, a new entry.
 pub fn begin_visit(id: &str) {
-    let begin = |window: Window| {
+    store::hold(id);
+    show_visit(id, visit().is_some());
+}
+
+/// Gives the visit that this entry of the browser's history shows another id.
+pub fn rename_visit(id: &str) {
+    show_visit(id, false);
+}
+
+fn show_visit(id: &str, in_new_entry: bool) {
+    let show = |window: Window| {
         let history = window.history().ok()?;
-        match visit() {
-            Some(_) => history.push_state_with_url(&state_of(id), "", None).ok(),
-            None => history.replace_state_with_url(&state_of(id), "", None).ok(),
+        if in_new_entry {
+            history.push_state_with_url(&state_of(id), "", None).ok()
+        } else {
+            history.replace_state_with_url(&state_of(id), "", None).ok()
         }
     };
-    if web_sys::window().and_then(begin).is_none() {
+    if web_sys::window().and_then(show).is_none() {
         log::warn!("the browser's history could not be changed");
     }
 }

@@ -20,6 +20,10 @@ use wasm_bindgen_futures::JsFuture;
 extern "C" {
     #[wasm_bindgen(catch, js_namespace = riemapStore, js_name = first)]
     fn store_first(id: JsValue, link: JsValue) -> Result<Promise, JsValue>;
+    #[wasm_bindgen(catch, js_namespace = riemapStore, js_name = hold)]
+    fn store_hold(id: &str) -> Result<Promise, JsValue>;
+    #[wasm_bindgen(catch, js_namespace = riemapStore, js_name = own)]
+    fn store_own(id: &str, fresh: &str) -> Result<Promise, JsValue>;
     #[wasm_bindgen(catch, js_namespace = riemapStore, js_name = keep)]
     fn store_keep(visit: JsValue, contents: Map) -> Result<Promise, JsValue>;
     #[wasm_bindgen(catch, js_namespace = riemapStore, js_name = load)]
@@ -52,13 +56,35 @@ pub async fn read_first() {
     }
     let text = |text: Option<String>| text.map_or(JsValue::NULL, JsValue::from);
     let link = address::link().map(|link| link.trim_start_matches('#').to_owned());
-    match awaited(store_first(text(address::visit()), text(link))).await {
+    let id = match address::visit() {
+        Some(id) => Some(own_id(id).await),
+        None => None,
+    };
+    match awaited(store_first(text(id), text(link))).await {
         Ok(found) => {
             let visit = get(&found, "visit").filter(JsValue::is_object).and_then(|visit| decode(&visit));
             let listed = get(&found, "visits").map(|list| decode_list(&list)).unwrap_or_default();
             KNOWN.with_borrow_mut(|known| (known.first, known.listed) = (visit, listed));
         }
         Err(reason) => log::warn!("no session was read: {}", reason.english()),
+    }
+}
+
+/// The id under which this tab goes on with a visit of its history. If another tab has that visit, of which this tab may
+/// be a duplicate, it is a new one, with a copy of what is kept.
+async fn own_id(id: String) -> String {
+    let Some(fresh) = address::new_visit() else { return id };
+    let own = awaited(store_own(&id, &fresh)).await.ok().and_then(|own| own.as_string()).unwrap_or_else(|| id.clone());
+    if own != id && address::visit().as_ref() == Some(&id) {
+        address::rename_visit(&own);
+    }
+    own
+}
+
+/// Takes a visit for this tab, so that a duplicate of the tab finds it taken.
+pub fn hold(id: &str) {
+    if store_hold(id).is_err() {
+        log::warn!("visit {id} could not be held");
     }
 }
 
@@ -109,10 +135,10 @@ async fn store(visit: &Visit, all: bool) -> Result<Vec<Listed>, Message> {
     Ok(decode_list(&listed))
 }
 
-/// Reads a visit; it is posted to `mailbox`.
+/// Reads a visit; it is posted to `mailbox`, with an id of its own if another tab has it.
 pub fn load_visit(id: String, mailbox: Mailbox) {
     wasm_bindgen_futures::spawn_local(async move {
-        let found = awaited(store_load(&id)).await;
+        let found = awaited(store_load(&own_id(id.clone()).await)).await;
         let kept = found.ok().filter(JsValue::is_object).and_then(|visit| decode(&visit));
         mailbox.post(Event::Visited { id, kept });
     });

@@ -1,13 +1,15 @@
 //! The panel of a lesson: beside the pictures, on a narrow screen in the place of the sheet below them.
 //!
-//! A step has its caption and the buttons that show, renew, move and delete it; below are the last change with undo and
-//! redo, and the buttons of the whole lesson. What cannot be done now is gray, and says why. All requests are actions.
+//! Undo and redo are beside the heading. A step has its caption and the buttons that show, renew, move and delete it;
+//! below are the buttons of the whole lesson. What cannot be done now is gray, and says why. All requests are actions.
 
 use super::LessonEditor;
 use crate::app::input::action::{Action, Actions, LessonAction};
 use crate::app::input::locks::{Locks, REFUSAL};
-use crate::app::theme::icons::{Icon, icon_button};
+use crate::app::theme::icons::{ICON_WIDTH, Icon, icon_button};
+use crate::app::theme::text_metrics::button_width;
 use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, bold, control_height};
+use crate::app::windows::explore::tour::card::is_low;
 use crate::language::{Label as Words, key, say, tr};
 use crate::session::lesson::{MAX_CAPTION, MAX_TITLE, Step};
 use egui::{
@@ -22,6 +24,8 @@ const WIDTHS: [f32; 2] = [264.0, 340.0];
 const PICTURES_SHARE: f32 = 0.5;
 /// The width of the scroll bar beside the steps.
 const SCROLL_BAR: f32 = 8.0;
+/// The room for a step's number, the gaps around it and those between the buttons beside it.
+const NUMBER: f32 = 32.0;
 /// The lines of a caption that are shown while it has no more.
 const CAPTION_ROWS: usize = 3;
 
@@ -37,7 +41,7 @@ pub fn show(ui: &mut Ui, editor: &LessonEditor, held: Option<Words>, narrow: boo
     let frame = Frame::new().fill(palette.panel).inner_margin(Margin { left: 14, right: 8, top: 6, bottom: 8 });
     panel.resizable(false).frame(frame).show(ui, |ui| {
         let mut asked = Vec::new();
-        heading(ui, &mut asked);
+        heading(ui, editor, &mut asked);
         let foot = Frame::new().inner_margin(Margin { top: 6, right: 6, ..Margin::ZERO });
         Panel::bottom("lesson-buttons").resizable(false).show_separator_line(false).frame(foot).show(ui, |ui| {
             buttons(ui, editor, held, &mut asked);
@@ -50,16 +54,37 @@ pub fn show(ui: &mut Ui, editor: &LessonEditor, held: Option<Words>, narrow: boo
     });
 }
 
-fn heading(ui: &mut Ui, asked: &mut Vec<LessonAction>) {
+/// The name, undo, redo and the cross; below, where there is room for it, the last change.
+fn heading(ui: &mut Ui, editor: &LessonEditor, asked: &mut Vec<LessonAction>) {
+    let Palette { text, weak, .. } = Palette::of(ui.visuals());
     ui.horizontal(|ui| {
-        let ink = Palette::of(ui.visuals()).text;
-        ui.label(RichText::new(tr(key::lesson())).font(bold(15.0)).color(ink));
+        ui.label(RichText::new(tr(key::lesson())).font(bold(15.0)).color(text));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
             if cross(ui, tr(key::close_lesson())) {
                 asked.push(LessonAction::Close);
             }
+            history(ui, editor, asked);
         });
     });
+    let shown = editor.draft.last().or(editor.draft.next()).filter(|_| !is_low(ui));
+    if let Some(shown) = shown {
+        ui.add(Label::new(RichText::new(say(&shown.words())).color(weak)).wrap());
+    }
+}
+
+/// Redo and undo of the draft, from the right.
+fn history(ui: &mut Ui, editor: &LessonEditor, asked: &mut Vec<LessonAction>) {
+    for (change, icon, name, action) in [
+        (editor.draft.next(), Icon::Redo, key::redo_in_lesson(), LessonAction::Redo),
+        (editor.draft.last(), Icon::Undo, key::undo_in_lesson(), LessonAction::Undo),
+    ] {
+        let about = change.map_or_else(String::new, |change| format!(": {}", say(&change.words())));
+        let about = format!("{}{about}", tr(name));
+        if icon_button(ui, icon, change.is_some(), tr(name), &about).clicked() {
+            asked.push(action);
+        }
+    }
 }
 
 /// A button with a cross; its name is its tooltip. Returns whether it was clicked.
@@ -111,7 +136,10 @@ fn refusal(ui: &Ui, held: Option<Words>, action: &LessonAction) -> Option<Words>
     held.filter(|_| action.concerns_session()).or_else(|| is_locked().then_some(REFUSAL))
 }
 
+/// The number and the buttons of the step `k`, in one row where they fit, else in two.
 fn step_buttons(ui: &mut Ui, [k, count]: [usize; 2], held: Option<Words>, asked: &mut Vec<LessonAction>) {
+    let labels: f32 = [key::show_step(), key::renew_step()].map(|label| button_width(ui, tr(label))).iter().sum();
+    let fits = NUMBER + labels + 3.0 * control_height(ui, ICON_WIDTH) <= ui.available_width();
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.label(RichText::new((k + 1).to_string()).font(bold(14.0)).color(Palette::of(ui.visuals()).text));
@@ -123,20 +151,30 @@ fn step_buttons(ui: &mut Ui, [k, count]: [usize; 2], held: Option<Words>, asked:
                 asked.push(action);
             }
         }
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.spacing_mut().item_spacing.x = 2.0;
-            if cross(ui, tr(key::delete_step())) {
-                asked.push(LessonAction::Delete(k));
-            }
-            let [up, down] = [key::step_up(), key::step_down()].map(tr);
-            if icon_button(ui, Icon::Down, k + 1 < count, down, down).clicked() {
-                asked.push(LessonAction::Swap(k));
-            }
-            if icon_button(ui, Icon::Up, k > 0, up, up).clicked() {
-                asked.push(LessonAction::Swap(k - 1));
-            }
-        });
+        if fits {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| order_buttons(ui, [k, count], asked));
+        }
     });
+    if !fits {
+        let row = vec2(ui.available_width(), control_height(ui, ROW_HEIGHT));
+        let right = Layout::right_to_left(Align::Center);
+        ui.allocate_ui_with_layout(row, right, |ui| order_buttons(ui, [k, count], asked));
+    }
+}
+
+/// The buttons that delete the step `k` and move it, from the right.
+fn order_buttons(ui: &mut Ui, [k, count]: [usize; 2], asked: &mut Vec<LessonAction>) {
+    ui.spacing_mut().item_spacing.x = 2.0;
+    if cross(ui, tr(key::delete_step())) {
+        asked.push(LessonAction::Delete(k));
+    }
+    let [up, down] = [key::step_up(), key::step_down()].map(tr);
+    if icon_button(ui, Icon::Down, k + 1 < count, down, down).clicked() {
+        asked.push(LessonAction::Swap(k));
+    }
+    if icon_button(ui, Icon::Up, k > 0, up, up).clicked() {
+        asked.push(LessonAction::Swap(k - 1));
+    }
 }
 
 /// The caption of the step `k`.
@@ -166,30 +204,7 @@ fn explained(ui: &mut Ui, button: Button<'_>, refusal: Option<Words>, tooltip: W
     response.on_disabled_hover_text(tr(refusal.unwrap_or(tooltip))).clicked()
 }
 
-/// The last change of the draft, undo and redo; nothing while there is neither.
-fn changes(ui: &mut Ui, editor: &LessonEditor, asked: &mut Vec<LessonAction>) {
-    let (last, next) = (editor.draft.last(), editor.draft.next());
-    let Some(shown) = last.or(next) else { return };
-    let weak = Palette::of(ui.visuals()).weak;
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        ui.label(RichText::new(say(&shown.words())).color(weak));
-        for (change, label, name, action) in [
-            (last, key::undo(), key::undo_in_lesson(), LessonAction::Undo),
-            (next, key::redo(), key::redo_in_lesson(), LessonAction::Redo),
-        ] {
-            let button = Button::new(tr(label)).min_size(vec2(0.0, control_height(ui, ROW_HEIGHT)));
-            let button = ui.add_enabled(change.is_some(), button);
-            button.widget_info(|| WidgetInfo::labeled(Role::Button, change.is_some(), tr(name)));
-            let about = change.map_or_else(|| tr(name).to_owned(), |change| say(&change.words()));
-            if button.on_hover_text(about).clicked() {
-                asked.push(action);
-            }
-        }
-    });
-}
-
-/// What is to be said, the way back, and the buttons that concern the whole lesson.
+/// What is to be said, and the buttons that concern the whole lesson.
 fn buttons(ui: &mut Ui, editor: &LessonEditor, held: Option<Words>, asked: &mut Vec<LessonAction>) {
     let palette = Palette::of(ui.visuals());
     if let Some(note) = &editor.note {
@@ -198,7 +213,6 @@ fn buttons(ui: &mut Ui, editor: &LessonEditor, held: Option<Words>, asked: &mut 
     if let Some(held) = held {
         ui.add(Label::new(RichText::new(tr(held)).color(palette.weak)).wrap());
     }
-    changes(ui, editor, asked);
     let size = vec2(ui.available_width(), control_height(ui, ROW_HEIGHT));
     let add = Button::new(RichText::new(tr(key::add_step())).color(palette.on_accent)).fill(palette.accent);
     let is_full = (!editor.has_room()).then_some(key::lesson_is_full());

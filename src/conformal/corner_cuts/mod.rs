@@ -9,14 +9,18 @@
 //! in the list, the others follow at the end; all keep its orientation. A triangle whose third corner is on the boundary
 //! too gets a vertex in its middle: it could be mapped onto one side of the outline otherwise.
 //!
-//! At a reentrant corner a part can be folded: the third corner of its triangle is behind the outline's corner.
-//! [`CornerCuts::folded`] counts those parts. The map itself does not change.
+//! At a reentrant corner a part can be folded: the third corner of its triangle is behind the outline's corner. Then the
+//! triangle's edge inside the surface is divided too, where that unfolds it (`unfold`); [`CornerCuts::folded`] counts the
+//! parts that stay folded. The map itself does not change.
+
+mod unfold;
 
 use super::ConformalMap;
 use crate::geometry::{DVec2, DVec3, orientation};
 use crate::mesh::{NO_TRIANGLE, TriMesh, TriangleId, VertexId};
 use crate::outline::BoundaryPoint;
 use std::collections::BTreeMap;
+use unfold::Parts;
 
 /// The least distance of a new vertex from the others of its edge, in lengths of the edge. An edge of a hundredth of the
 /// surface's size is then divided at 1e-6 of it, which is still resolved in f32 (6e-8).
@@ -27,9 +31,9 @@ const ROUNDING: f64 = 1e-12;
 /// What a new vertex divides.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Divided {
-    /// A boundary edge, at this fraction of its length from its first end.
+    /// An edge, at this fraction of its length from its first end: one of the boundary, or one next to a reentrant corner.
     Edge {
-        /// Its ends, in the direction of the boundary.
+        /// Its ends; those of a boundary edge in the direction of the boundary.
         ends: [VertexId; 2],
         /// In (0, 1).
         fraction: f64,
@@ -122,8 +126,10 @@ impl ConformalMap {
         }
         within_corners(&mut images[..mesh.boundary_count() as usize], corners);
         let (triangles, parents) = cutting.triangles(&mut images);
-        let folded = folded(mesh, &images, &triangles, &parents);
-        Some(CornerCuts { images, triangles, parents, added: cutting.added, at_corners, folded })
+        let mut parts = Parts { mesh, images, added: cutting.added, triangles, parents };
+        let folded = parts.unfold();
+        let Parts { images, added, triangles, parents, .. } = parts;
+        Some(CornerCuts { images, triangles, parents, added, at_corners, folded })
     }
 
     /// The points of the surface's boundary with the same harmonic measure as the corners: the number of each corner with
@@ -279,14 +285,7 @@ fn within_corners(images: &mut [DVec2], corners: &[DVec2]) {
     }
 }
 
-/// The number of parts that are clockwise in the plane.
-fn folded(mesh: &TriMesh<DVec3>, images: &[DVec2], triangles: &[[u32; 3]], parents: &[u32]) -> usize {
-    let own = mesh.triangles().iter().zip(triangles).filter(|(before, after)| before != after).map(|(_, after)| after);
-    let parts = own.chain(&triangles[triangles.len() - parents.len()..]);
-    parts
-        .filter(|part| {
-            let [a, b, c] = part.map(|v| images[v as usize]);
-            orientation(a, b, c) < 0.0
-        })
-        .count()
+/// Whether the corners are clockwise.
+fn is_folded([a, b, c]: [DVec2; 3]) -> bool {
+    orientation(a, b, c) < 0.0
 }
