@@ -137,7 +137,8 @@ pub fn control(info: &WidgetInfo) -> String {
 mod tests {
     use super::*;
     use crate::app::input::action::{Action, EditAction, ExportAction, Report};
-    use crate::app::tests::{ready_app, step_until};
+    use crate::app::tests::{prepared_model, ready_app, step_until};
+    use crate::session::Command;
     use crate::worker::Finding;
 
     #[test]
@@ -162,6 +163,17 @@ mod tests {
         }
         app.carry_out(&context, vec![Action::Edit(EditAction::ClosePaste)]);
         assert_eq!(app.stats().screen.errors.len(), 2);
+    }
+
+    #[test]
+    fn a_tiling_is_said_while_it_is_seen() {
+        let mut model = prepared_model();
+        assert_eq!(tiling(&model), None);
+        model.dispatch(Command::SetTexture(TextureKind::Tiling), 0.0);
+        let words = tiling(&model).unwrap();
+        assert!(words.contains("polygons with 7 sides, 3 around each corner"), "{words}");
+        model.dispatch(Command::SetColouring(Colouring::Angle), 0.0);
+        assert_eq!(tiling(&model), None, "colors hide it");
     }
 
     #[test]
