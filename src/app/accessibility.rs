@@ -11,6 +11,7 @@ use crate::app::viewport::probe;
 use crate::conformal::{PerSide, Side};
 use crate::language::{key, number, say, tr};
 use crate::model::Model;
+use crate::model::best::Landscapes;
 use crate::model::shape::Shape;
 use crate::session::{Colouring, TextureKind};
 use crate::worker::Number;
@@ -90,7 +91,7 @@ fn best(model: &Model) -> Option<String> {
     let outcome = best.outcome().map(|outcome| say(&key::sentence(best_panel::said(outcome))));
     let lowest = best
         .landscape()
-        .and_then(|landscape| landscape.lowest())
+        .and_then(Landscapes::lowest)
         .map(|(at, value)| say(&key::accessible_landscape(number(at.x, 3), number(at.y, 3), number(value, 3))));
     let sentences: Vec<String> = search.into_iter().chain(outcome).chain(lowest).collect();
     (!sentences.is_empty()).then(|| sentences.join(" "))

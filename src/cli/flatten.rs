@@ -100,7 +100,7 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     let (whole, timings) = compute(arguments, &surface, &progress)?;
     progress.enter("writing");
     let map = &whole.map;
-    let unit = arguments.uv == UvArgument::Unit;
+    let unit = arguments.layout.uv == UvArgument::Unit;
     let cuts = whole.cuts.as_ref();
     let flattened = match cuts {
         Some(cuts) => Flattened::cut(map, cuts, unit),
@@ -197,7 +197,7 @@ fn compute(
     let map = map.map_err(|error| refused(&error, arguments))?;
     let frame = map.timings();
     let corners = outline.outline.corner_places();
-    let has_cuts = arguments.corners == CornersArgument::Hit && !corners.is_empty();
+    let has_cuts = arguments.layout.corners == CornersArgument::Hit && !corners.is_empty();
     let cuts = if has_cuts { map.cut_corners(&corners) } else { None };
     let best = best.map(|(_, best)| best);
     Ok((Parameterized { map, cuts, constraints, sides, best, x2, y2 }, Timings { frame, ..timings }))

@@ -51,13 +51,9 @@ pub struct FlattenArguments {
     /// How the outline is discretized; kernel and solver apply to the surface too.
     #[command(flatten)]
     pub discretization: Discretization,
-    /// Texture coordinates: moved and scaled into the unit square, or left in the outline's coordinates.
-    #[arg(long, default_value = "unit")]
-    pub uv: UvArgument,
-    /// The outline's corners: hit exactly, with boundary edges divided where they lie, or left to the map, which cuts
-    /// those off that no boundary vertex is mapped to.
-    #[arg(long, default_value = "hit")]
-    pub corners: CornersArgument,
+    /// The layout of the texture.
+    #[command(flatten)]
+    pub layout: LayoutArguments,
     /// Write the surface with its texture coordinates to this file; may be repeated; the extension selects the format:
     /// obj, ply, glb, csv (a line for each vertex), svg (the layout), png (the textured surface beside its layout).
     #[arg(long, value_name = "FILE")]
@@ -68,6 +64,18 @@ pub struct FlattenArguments {
     /// Print quality, counts, flips, repairs and timings as JSON on stdout.
     #[arg(long)]
     pub json: bool,
+}
+
+/// The layout of the texture in the plane.
+#[derive(Debug, clap::Args)]
+pub struct LayoutArguments {
+    /// Texture coordinates: moved and scaled into the unit square, or left in the outline's coordinates.
+    #[arg(long, default_value = "unit")]
+    pub uv: UvArgument,
+    /// The outline's corners: hit exactly, with boundary edges divided where they lie, or left to the map, which cuts
+    /// those off that no boundary vertex is mapped to.
+    #[arg(long, default_value = "hit")]
+    pub corners: CornersArgument,
 }
 
 /// The coordinate system of texture coordinates.

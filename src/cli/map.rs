@@ -181,8 +181,8 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
     ];
     // report errors in either side's arguments before preparing the first one
     asked.iter().try_for_each(Asked::check)?;
-    let pins = arguments.pins.check(&asked)?;
-    let criterion = arguments.optimize.criterion.as_ref();
+    let pins = arguments.instead.pins.check(&asked)?;
+    let criterion = arguments.instead.optimize.criterion.as_ref();
     criterion.map_or(Ok(()), |named| named.check(PerSide::from(asked.map(|side| !is_surface(side.name)))))?;
     if asked.iter().all(|side| is_surface(side.name)) && arguments.discretization.samples.is_some() {
         let text = "--samples is for outlines: both sides are surfaces, which have their own boundary vertices";

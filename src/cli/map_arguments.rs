@@ -17,12 +17,9 @@ pub struct MapArguments {
     /// The constraints.
     #[command(flatten)]
     pub points: PointArguments,
-    /// Boundary pairs in their place.
+    /// What determines the map in their place.
     #[command(flatten)]
-    pub pins: super::pins::PinArguments,
-    /// The best map in place of the given one.
-    #[command(flatten)]
-    pub optimize: super::optimization::OptimizeArguments,
+    pub instead: InsteadArguments,
     /// The numbers of boundary samples.
     #[command(flatten)]
     pub samples: SampleArguments,
@@ -59,6 +56,17 @@ pub struct MapArguments {
     /// Print quality, timings and counts as JSON on stdout.
     #[arg(long)]
     pub json: bool,
+}
+
+/// What determines a map in place of its constraints.
+#[derive(Debug, clap::Args)]
+pub struct InsteadArguments {
+    /// Boundary pairs.
+    #[command(flatten)]
+    pub pins: super::pins::PinArguments,
+    /// A criterion that the map is to minimize.
+    #[command(flatten)]
+    pub optimize: super::optimization::OptimizeArguments,
 }
 
 /// The constraints of a map.

@@ -43,6 +43,7 @@ impl Moebius {
     }
 
     /// This map after another one.
+    #[must_use]
     pub fn after(&self, first: &Self) -> Self {
         Self { a: self.a * first.a + self.b * first.b.conj(), b: self.a * first.b + self.b * first.a.conj() }
     }
@@ -67,11 +68,9 @@ impl Moebius {
     pub fn along(from: Complex64, to: Complex64, t: f64) -> Option<Complex64> {
         let middle = Self::to_middle(from)?;
         let whole = middle.image(to);
-        if !(whole.norm() < 1.0) {
-            return None;
-        }
-        let part = (t * whole.norm().atanh()).tanh();
-        Some(middle.inverse().image(if whole.norm() > 0.0 { whole * (part / whole.norm()) } else { whole }))
+        let distance = Some(whole.norm()).filter(|distance| *distance < 1.0)?;
+        let part = if distance > 0.0 { (t * distance.atanh()).tanh() / distance } else { 0.0 };
+        Some(middle.inverse().image(whole * part))
     }
 
     /// How far this map is from another one: how far the one after the inverse of the other moves 0, by the disk's own

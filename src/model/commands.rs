@@ -148,7 +148,7 @@ impl Model {
 
     /// Whether a preparation for a side is in progress.
     pub fn is_preparing(&self, side: Side) -> bool {
-        self.sides[side].is_busy() || self.queue.concerns(side)
+        self.sides[side].is_busy() || self.opening.concerns(side)
     }
 
     /// Applies the quick fix of a side's user error. Returns what it touches: nothing if it only repeats a request.

@@ -57,7 +57,7 @@ use crate::model::best::BestMap;
 use crate::model::coarse::Draft;
 use crate::model::fine::Fine;
 use crate::model::measurement::Measurement;
-use crate::model::opening::{Arrived, FileQueue};
+use crate::model::opening::Opening;
 use crate::model::overlays::OverlayState;
 use crate::model::pattern::disk_grid::DiskGrid;
 use crate::model::pinned::Pinned;
@@ -146,10 +146,7 @@ pub struct Model {
     pinned: Pinned,
     best: BestMap,
     changed: Changed,
-    /// The opened files that wait for those before them.
-    queue: FileQueue,
-    /// The result of the last opened file, for the app.
-    arrived: Option<Arrived>,
+    opening: Opening,
 }
 
 impl Model {
@@ -177,8 +174,7 @@ impl Model {
             pinned,
             best: BestMap::default(),
             changed: Changed::default(),
-            queue: FileQueue::default(),
-            arrived: None,
+            opening: Opening::default(),
         };
         for (side, surface) in surfaces.iter() {
             if surface.is_some() {

@@ -37,6 +37,22 @@ pub enum Arrived {
     NoOutline(Side, Message),
 }
 
+/// The opened files that are not shown yet.
+#[derive(Debug, Default)]
+pub(super) struct Opening {
+    /// Those that wait for the files before them.
+    queue: FileQueue,
+    /// The result of the last one, for the app.
+    pub(super) arrived: Option<Arrived>,
+}
+
+impl Opening {
+    /// Whether files for a side wait.
+    pub(super) fn concerns(&self, side: Side) -> bool {
+        self.queue.concerns(side)
+    }
+}
+
 impl Model {
     /// Requests an outline file for a side.
     pub fn open_outline(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
@@ -64,7 +80,7 @@ impl Model {
 
     /// Cancels the files for a side, and session files, because the user chose another shape.
     pub(super) fn stop_reading(&mut self, side: Side) {
-        self.queue.drop_for(side);
+        self.opening.queue.drop_for(side);
         for (at, state) in Side::BOTH.into_iter().zip(self.sides.as_mut().into_array()) {
             if at == side || state.reading.is_of(Origin::SessionFile) {
                 state.reading.end();
@@ -75,17 +91,17 @@ impl Model {
     /// Whether a file or pasted text is being read, or a surface from a file prepared.
     pub fn awaits_file(&self) -> bool {
         let awaits = |side: &ModelSide| side.reading.is_busy() || side.surface.preparation.awaits_file();
-        !self.queue.is_empty() || self.sides.iter().any(|(_, side)| awaits(side))
+        !self.opening.queue.is_empty() || self.sides.iter().any(|(_, side)| awaits(side))
     }
 
     /// Whether a pasted text is being read for a side.
     pub fn reads_pasted(&self, side: Side) -> bool {
-        self.sides[side].reading.is_of(Origin::PastedText) || self.queue.has_pasted(side)
+        self.sides[side].reading.is_of(Origin::PastedText) || self.opening.queue.has_pasted(side)
     }
 
     /// Takes the result of the last response, or of an opened file that was refused at once.
     pub fn take_arrived(&mut self) -> Option<Arrived> {
-        self.arrived.take()
+        self.opening.arrived.take()
     }
 
     /// Accepts a response about the file being read.
@@ -95,7 +111,7 @@ impl Model {
             Some(Response::Outline(outline)) => self.take_outline(side, *outline),
             Some(Response::Session(archive)) => {
                 reading.end();
-                self.arrived = Some(Arrived::Session(archive, std::mem::take(&mut self.queue)));
+                self.opening.arrived = Some(Arrived::Session(archive, std::mem::take(&mut self.opening.queue)));
             }
             Some(Response::Unread(unread)) => {
                 if let Some(InFlight { opened, .. }) = reading.end().end() {
@@ -113,7 +129,7 @@ impl Model {
         let notes = outline.notes().to_vec();
         self.replace_outline(side, outline.into(), notes);
         self.side_mut(side).take_over(&request, settings);
-        self.arrived = Some(Arrived::Outline(origin));
+        self.opening.arrived = Some(Arrived::Outline(origin));
     }
 
     /// Reports a file that could not be read; the repaired outline, if any, is its quick fix.
@@ -141,8 +157,8 @@ impl Model {
             Origin::OutlineFile => {
                 self.refuse(side, UserError { quick_fix: quick_fix(opened), ..UserError::new(about) });
             }
-            Origin::PastedText => self.arrived = Some(Arrived::NoOutline(side, text)),
-            Origin::SessionFile => self.arrived = Some(Arrived::NoSession(about)),
+            Origin::PastedText => self.opening.arrived = Some(Arrived::NoOutline(side, text)),
+            Origin::SessionFile => self.opening.arrived = Some(Arrived::NoSession(about)),
         }
     }
 }

@@ -183,7 +183,7 @@ impl Model {
         let Progress::Ready { request: Some(request), is_new } = progress else { return };
         let is_another = self.session.surface(side).is_none_or(|shown| shown.spec != request.spec);
         if is_another && matches!(request.spec.shape, SurfaceShape::File { .. }) {
-            self.arrived = Some(Arrived::Surface);
+            self.opening.arrived = Some(Arrived::Surface);
         }
         self.take_surface(side, request.spec, is_new);
     }

@@ -15,10 +15,16 @@ use num_complex::Complex64;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+/// A place nearer to the circle than this is taken for one of the boundary: nearer, positions from finite elements are not
+/// right, and walks among triangles that crowd there take long.
+const RIM: f64 = 1e-6;
+
 /// One side and its map to the disk.
 #[derive(Debug)]
 pub struct Chart {
     prepared: Arc<PreparedSide>,
+    /// By boundary edge the triangle at it.
+    edge_triangles: Vec<u32>,
     /// g at the vertices.
     places: Vec<DVec2>,
     /// ln |g′| at the vertices.
@@ -36,7 +42,8 @@ impl Chart {
         measure.set_along(prepared.edge_lengths(), &kernel, BoundaryPoint::new(0, 0.0));
         let places = disk_coordinates(prepared, &measure).map_err(not_converged)?;
         let scale = log_disk_scale(prepared, &kernel).map_err(not_converged)?;
-        Ok(Self { prepared: Arc::clone(prepared), places, scale, measure })
+        let edge_triangles = triangles_at_edges(prepared);
+        Ok(Self { prepared: Arc::clone(prepared), edge_triangles, places, scale, measure })
     }
 
     /// The side.
@@ -61,27 +68,46 @@ impl Chart {
         Some(complex(corners.iter().zip(found.weights()).map(|(&v, w)| w * self.places[v as usize]).sum()))
     }
 
-    /// The inner point with this image, and the triangle in which it was found, beginning at one nearby; `None` where the
+    /// The inner point with this image, sought from a triangle nearby; `None` where the
     /// image of the mesh is folded.
     pub fn point(&self, image: Complex64, near: TriangleId) -> Option<InteriorPoint> {
-        let found = self.locate(image, near)?;
-        Some(match self.prepared.geometry() {
-            SideGeometry::Space(_) => found.into(),
-            SideGeometry::Plane(domain) => {
-                let corners = domain.mesh().corner_places(found.triangle());
-                corners.into_iter().zip(found.weights()).map(|(corner, w)| w * corner).sum::<DVec2>().into()
-            }
-        })
+        self.locate(image, near).map(|found| self.position(found))
     }
 
-    /// The point of the mesh with this image.
+    /// A point of the mesh as one of the side.
+    pub fn position(&self, point: BarycentricPoint) -> InteriorPoint {
+        match self.prepared.geometry() {
+            SideGeometry::Space(_) => point.into(),
+            SideGeometry::Plane(domain) => {
+                let corners = domain.mesh().corner_places(point.triangle());
+                corners.into_iter().zip(point.weights()).map(|(corner, w)| w * corner).sum::<DVec2>().into()
+            }
+        }
+    }
+
+    /// The point of the mesh with this image; beside the circle, one of the boundary.
     pub fn locate(&self, image: Complex64, near: TriangleId) -> Option<BarycentricPoint> {
+        if image.norm() > 1.0 - RIM {
+            return Some(self.on_boundary(image));
+        }
         let (triangles, neighbours) = match self.prepared.geometry() {
             SideGeometry::Plane(domain) => (domain.mesh().triangles(), domain.mesh().neighbours()),
             SideGeometry::Space(surface) => (surface.mesh().triangles(), surface.mesh().neighbours()),
         };
         let layout = DiskLayout { triangles, neighbours, places: &self.places };
         layout.locate(DVec2::new(image.re, image.im), near, &mut 0)
+    }
+
+    fn on_boundary(&self, image: Complex64) -> BarycentricPoint {
+        let at = self.measure.point_at((image.arg() / TAU).rem_euclid(1.0));
+        let triangle = self.edge_triangles[at.edge() as usize];
+        let next = (at.edge() + 1) % self.prepared.boundary_count() as u32;
+        let weights = self.prepared.triangles()[triangle as usize].map(|v| match v {
+            v if v == at.edge() => 1.0 - at.fraction(),
+            v if v == next => at.fraction(),
+            _ => 0.0,
+        });
+        BarycentricPoint::new(TriangleId::new(triangle), weights)
     }
 
     /// ln |g′| at a point of the mesh.
@@ -116,6 +142,21 @@ impl Chart {
             (t, 0.5 * (b - a).cross(c - a).length())
         })
     }
+}
+
+/// By boundary edge k → k+1 the triangle with both ends as corners, one after the other.
+fn triangles_at_edges(side: &PreparedSide) -> Vec<u32> {
+    let m = side.boundary_count() as u32;
+    let mut found = vec![0; m as usize];
+    for (t, corners) in (0u32..).zip(side.triangles()) {
+        for i in 0..3 {
+            let (from, to) = (corners[i], corners[(i + 1) % 3]);
+            if from < m && to == (from + 1) % m {
+                found[from as usize] = t;
+            }
+        }
+    }
+    found
 }
 
 fn complex(p: DVec2) -> Complex64 {

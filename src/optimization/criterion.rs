@@ -18,7 +18,7 @@ const LEAST: f64 = -64.0 * LN_2;
 const EVENNESS: f64 = 0.01;
 
 /// Triangles at which the mismatch is measured.
-const MEASURED: usize = 800;
+const MEASURED: usize = 500;
 
 /// What is minimized over all conformal maps of the source onto the target.
 ///

@@ -45,8 +45,8 @@ struct Node {
     scale: f64,
     weight: f64,
     near: TriangleId,
-    /// The images of the places to which the side's symmetries move it.
-    moved: Vec<Option<Complex64>>,
+    /// The images of the places to which the side's symmetries move it, each with the last triangle as above.
+    moved: Vec<Option<(Complex64, TriangleId)>>,
 }
 
 impl Nodes {
@@ -75,7 +75,8 @@ impl Family {
             let (image, scale) = chart.at_middle(t);
             let motions = self.criterion.symmetries().into_iter().flat_map(SharedSymmetries::motions);
             let middle = chart.corners(t).into_iter().sum::<DVec3>().truncate() / 3.0;
-            let moved = motions.map(|motion| chart.image(motion.moved(middle).into())).collect();
+            let moved = motions.map(|motion| Some((chart.image(motion.moved(middle).into())?, TriangleId::new(0))));
+            let moved = moved.collect();
             Node { image, scale, weight, near: TriangleId::new(0), moved }
         };
         Nodes { nodes: nodes.into_iter().map(node).collect(), scales: Scales::default() }
@@ -92,7 +93,7 @@ impl Family {
             nodes.scales.push(node.scale + map.log_scale(node.image) - other.scale(found), node.weight);
         }
         let value = self.criterion.of(&mut nodes.scales).unwrap_or(f64::INFINITY);
-        value + self.criterion.symmetries().map_or(0.0, |shared| mismatch(shared, &nodes.nodes, other, &map))
+        value + self.criterion.symmetries().map_or(0.0, |shared| mismatch(shared, &mut nodes.nodes, other, &map))
     }
 
     /// T of the map with these constraints; `None` if a point is not inside of its side's mesh.
@@ -170,15 +171,19 @@ impl Family {
 }
 
 /// The mismatch of the map with T from the nodes' disk onto the other side's.
-fn mismatch(shared: &SharedSymmetries, nodes: &[Node], other: &Chart, map: &Moebius) -> f64 {
-    let place = |image: Complex64, near| other.point(map.image(image), near).and_then(InteriorPoint::in_plane);
-    let places: Vec<_> = nodes.iter().map(|node| place(node.image, node.near)).collect();
+fn mismatch(shared: &SharedSymmetries, nodes: &mut [Node], other: &Chart, map: &Moebius) -> f64 {
+    let place = |image: Complex64, near: &mut TriangleId| {
+        let found = other.locate(map.image(image), *near)?;
+        *near = found.triangle();
+        other.position(found).in_plane()
+    };
+    let places: Vec<_> = nodes.iter_mut().map(|node| place(node.image, &mut node.near)).collect();
     let images = |k: usize| {
-        let of_node = |(node, at): (&Node, &Option<DVec2>)| {
-            let moved = place(node.moved[k]?, node.near)?;
-            Some(Images { place: (*at)?, moved, weight: node.weight })
+        let of_node = |(node, at): (&mut Node, &Option<DVec2>)| {
+            let (image, near) = node.moved[k].as_mut()?;
+            Some(Images { place: (*at)?, moved: place(*image, near)?, weight: node.weight })
         };
-        nodes.iter().zip(&places).filter_map(of_node).collect()
+        nodes.iter_mut().zip(&places).filter_map(of_node).collect()
     };
     shared.mismatch(images).unwrap_or(f64::INFINITY)
 }

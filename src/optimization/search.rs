@@ -23,9 +23,11 @@ use std::collections::VecDeque;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Triangles that stand for all in the scan, and in the fit.
+/// Triangles that stand for all in the scan, and in the fit; for symmetries, each of them is moved by all.
 const FEW: usize = 500;
 const MANY: usize = 5000;
+const FEW_MOVED: usize = 120;
+const MANY_MOVED: usize = 600;
 
 /// Places of each side that are tried, and turns of each.
 const PLACES: usize = 48;
@@ -50,7 +52,7 @@ const LEAST_POLISH: usize = 16;
 const USUAL: usize = 8000;
 
 /// Boundary points that need not move stay, if that costs no more than this share of the criterion.
-const NEGLIGIBLE: f64 = 1e-3;
+const NEGLIGIBLE: f64 = 3e-3;
 /// Values that differ by less are equal: those of a disk onto a disk, which is 0 up to the mesh's error squared.
 const ROUNDING: f64 = 1e-7;
 
@@ -154,7 +156,7 @@ impl Optimization {
     }
 
     /// The settings at which the search began.
-    pub fn settings(&self) -> MapSettings {
+    pub fn start_settings(&self) -> MapSettings {
         self.asked
     }
 
@@ -248,7 +250,7 @@ impl Optimization {
         let target = Chart::new(Side::Target, self.map.side(Side::Target))?;
         let family = Family::new(PerSide::new(source, target), self.criterion.clone(), self.map.mapped_side());
         let scan = Scan { coming: candidates(&family, &self.start), tried: Vec::new() };
-        let nodes = family.nodes(FEW);
+        let nodes = family.nodes(if self.criterion.symmetries().is_some() { FEW_MOVED } else { FEW });
         self.least = f64::INFINITY;
         self.family = Some((family, nodes));
         Ok(Stage::Scan(scan))
@@ -279,8 +281,9 @@ impl Optimization {
             return Stage::Descend(Descent { best, ..Descent::new(next, STEP, SMALL, coming) });
         }
         let best = descent.best.1;
+        let many = if self.criterion.symmetries().is_some() { MANY_MOVED } else { MANY };
         let Some((family, nodes)) = &mut self.family else { return Stage::Done };
-        *nodes = family.nodes(MANY);
+        *nodes = family.nodes(many);
         let value = self.closed_form(&best);
         Stage::Fit(Descent::new((value, best), 0.25 * STEP, SMALL, VecDeque::new()))
     }

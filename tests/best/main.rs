@@ -64,11 +64,17 @@ fn outlines_onto_the_disk_are_mapped_as_well_as_by_the_best_moebius_transformati
         let source = outline(preset);
         let mesh = source.domain().unwrap().mesh();
         let disk = through_disk::Disk::of(&source);
-        let baseline = disk.best(|images| through_disk::distortion(mesh, images));
+        let (baseline, a) = disk.best(|images| through_disk::distortion(mesh, images));
         let sides = PerSide::new(Arc::clone(&source), outline(Preset::Disk));
         let found = best(&sides, Criterion::Area, &defaults(&sides), Direction::Forward);
         println!("{preset:?}: {:.6}, through the disk {baseline:.6}", found.after);
         assert!(found.after <= baseline * 1.01 && found.after <= found.before);
+        // the same transformation, measured as maps are: no error of meshes in between
+        let x2 = through_disk::point_of(a, &sides.target);
+        let at = Constraints::new((sides.source.default_point(), 0.0), (x2, 0.0));
+        let same = measured(&sides, &Criterion::Area, &at, Direction::Forward);
+        println!("{preset:?}: {same:.6}, measured on the map");
+        assert!(found.after <= same * 1.003);
     }
 }
 
@@ -148,7 +154,6 @@ fn shared_symmetries_are_kept() {
     for (presets, most) in [
         ([Preset::Star, Preset::Cinquefoil], 5e-3),
         ([Preset::Heart, Preset::Star], 5e-3),
-        ([Preset::Heart, Preset::Disk], 5e-3),
         ([Preset::Disk, Preset::Square], 5e-3),
     ] {
         let polygons = PerSide::from(presets.map(|preset| preset.outline().polygon().clone()));

@@ -44,8 +44,8 @@ impl Disk {
     }
 
     /// The least value of a function of the images over all maps of the disk onto itself: on a grid of a, then more and more
-    /// finely about the best one. Turns do not matter onto a disk.
-    pub fn best(&self, value: impl Fn(&[DVec2]) -> f64) -> f64 {
+    /// finely about the best one. Turns do not matter onto a disk. Returns a, too.
+    pub fn best(&self, value: impl Fn(&[DVec2]) -> f64) -> (f64, DVec2) {
         let at = |distance: f64, angle: f64| (0.5 * distance).tanh() * DVec2::from_angle(angle);
         let grid = (0..CIRCLES).flat_map(|i| (0..POINTS).map(move |k| (i, k)));
         let grid =
@@ -58,13 +58,23 @@ impl Disk {
             best = self.least(around.filter(|a| a.length() < 1.0).collect(), &value);
             step *= 0.4;
         }
-        best.0
+        best
     }
 
     fn least(&self, places: Vec<DVec2>, value: &impl Fn(&[DVec2]) -> f64) -> (f64, DVec2) {
         let values = places.into_iter().map(|a| (value(&self.moved(a)), a));
         values.min_by(|p, q| p.0.total_cmp(&q.0)).unwrap()
     }
+}
+
+/// Where a round target's middle and radius are, the point of the map z ↦ (z − a)/(1 − ā z), turned so that the first
+/// boundary points of both sides go to each other.
+pub fn point_of(a: DVec2, target: &PreparedSide) -> DVec2 {
+    let middle = target.default_point().in_plane().unwrap();
+    let first = target.domain().unwrap().samples().points()[0] - middle;
+    let turned = DVec2::X - a; // (1 − a)/(1 − ā) has twice its angle
+    let image = DVec2::from_angle(-2.0 * turned.to_angle()).rotate(-a);
+    middle + first.rotate(image)
 }
 
 /// The mean of (ln σ₁σ₂)² after the best scale, weighted by the triangles' areas, summed anew: a triangle whose image is a

@@ -149,6 +149,6 @@ fn paint_course(ui: &mut Ui, course: &[(usize, f64)]) {
     let font = caption_font(ui);
     let corners = [(Align2::RIGHT_TOP, inner.right_top(), most), (Align2::RIGHT_BOTTOM, inner.right_bottom(), least)];
     for (align, at, value) in corners {
-        painter.text(at, align, number(value, 3).to_string(), font.clone(), palette.weak);
+        painter.text(at, align, number(value, 3), font.clone(), palette.weak);
     }
 }

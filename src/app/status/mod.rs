@@ -1,5 +1,6 @@
 //! The status line: quality Q̄, flipped triangles, times, frame rate, graphics API.
 
+mod best;
 pub mod pointed;
 pub mod stats;
 

@@ -1,6 +1,7 @@
 //! The state of the screen as one plain record, for `window.riemap.stats()` and for tests.
 
 use crate::app::editing::EditingStats;
+use crate::app::status::best::BestStats;
 use crate::conformal::{FrameTimings, KernelMode, PerSide, PrepareTimings, Side};
 use crate::geometry::DVec2;
 use crate::language::Message;
@@ -151,21 +152,6 @@ pub struct OverlayStats {
     pub best: BestStats,
     /// The invariants of both sides, where they are asked for and there; a text is why not.
     pub invariants: [Option<Result<FoundInvariants, String>>; 2],
-}
-
-/// The best map: search, result, region and landscape.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct BestStats {
-    /// The share of the search under way that is done.
-    pub progress: Option<f64>,
-    /// The criterion before and after the last search.
-    pub result: Option<[f64; 2]>,
-    /// Whether the points are on their way.
-    pub moving: bool,
-    /// How many dabs the region has.
-    pub region: usize,
-    /// The least value of the landscape that is shown.
-    pub lowest: Option<f64>,
 }
 
 /// What the screen knows and the model does not.
@@ -342,19 +328,8 @@ fn overlays(model: &Model) -> OverlayStats {
             precomputed: comparison(model, DiskWay::Precomputed),
         },
         walks: (walks.count(), walks.deviation()),
-        best: best(model),
+        best: BestStats::of(model),
         invariants: Side::BOTH.map(|side| Some(model.invariants(side)?.clone().map_err(|reason| reason.english()))),
-    }
-}
-
-fn best(model: &Model) -> BestStats {
-    let best = model.best();
-    BestStats {
-        progress: best.progress().map(|(done, _)| done),
-        result: best.outcome().map(|outcome| [outcome.before, outcome.after]),
-        moving: best.is_moving(),
-        region: model.session().region().len(),
-        lowest: best.landscape().and_then(|landscape| landscape.lowest()).map(|(_, value)| value),
     }
 }
 

@@ -9,7 +9,9 @@ use std::sync::{Arc, Weak};
 
 /// The symmetries that both outlines share, and the sides for which they were found.
 #[derive(Debug, Default)]
-pub(super) struct KnownSymmetries(Option<(PerSide<Weak<PreparedSide>>, Result<Arc<SharedSymmetries>, OptimizeError>)>);
+pub(super) struct KnownSymmetries(Option<(PerSide<Weak<PreparedSide>>, Shared)>);
+
+type Shared = Result<Arc<SharedSymmetries>, OptimizeError>;
 
 impl Model {
     /// The criterion of the aim that is chosen. Errors: the outlines share no symmetry.
@@ -22,7 +24,7 @@ impl Model {
         }
     }
 
-    fn shared_symmetries(&mut self) -> Result<Arc<SharedSymmetries>, OptimizeError> {
+    fn shared_symmetries(&mut self) -> Shared {
         let sides = self.both_sides().ok_or(OptimizeError::NoSharedSymmetry)?.map(|side| Arc::downgrade(&side));
         let is_of =
             |known: &PerSide<Weak<PreparedSide>>| Side::BOTH.into_iter().all(|side| known[side].ptr_eq(&sides[side]));

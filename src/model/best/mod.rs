@@ -282,12 +282,12 @@ impl Model {
         let at: Option<Constraints> = self.constraints();
         Side::BOTH.into_iter().all(is_same)
             && at.as_ref() == Some(search.optimization.start())
-            && search.optimization.settings().direction == self.session.direction()
+            && search.optimization.start_settings().direction == self.session.direction()
     }
 
     /// The source's region with dabs at these places, `None` if they would change nothing; the plane lies at z = 0.
     pub fn region_with(&self, middles: impl IntoIterator<Item = DVec3>) -> Option<Vec<Dab>> {
-        let radius = self.brush_radius()?;
+        let radius = f64::from(self.brush_radius()? as f32); // as dabs are rounded
         let mut region = self.session.region().to_vec();
         for middle in middles {
             let is_near = |dab: &Dab| dab.middle.distance(middle) < APART * radius && dab.radius >= radius;

@@ -4,7 +4,7 @@
 //! them has changed; while x₁ is dragged it stays.
 
 use super::SLICE_MS;
-use crate::conformal::{Constraints, Direction, MeshedDomain, PerSide, PreparedSide, Side};
+use crate::conformal::{ConformalMap, Constraints, Direction, MeshedDomain, PerSide, PreparedSide, Side};
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;
 use crate::model::Model;
@@ -113,7 +113,7 @@ impl Model {
         let weak = sides.as_ref().map(Arc::downgrade);
         let origin = Origin { sides: weak, criterion: criterion.clone(), constraints, direction };
         if self.best.relief.origin.as_ref() != Some(&origin) {
-            let mapped = self.map().map_or(direction.mapped_side(), |map| map.mapped_side());
+            let mapped = self.map().map_or(direction.mapped_side(), ConformalMap::mapped_side);
             let coming = Landscape::new(&sides, criterion, constraints, mapped).ok();
             self.best.relief = Relief { is_asked: true, origin: Some(origin), coming, complete: None };
         }

@@ -33,18 +33,19 @@ fn rest(model: &mut Model) {
 /// Frames until nothing goes on; returns how many commands moved the points.
 fn run(model: &mut Model, is_calm: bool) -> usize {
     let mut moves = 0;
-    for frame in 0..100_000 {
+    for frame in 0u32.. {
         let (commands, goes_on) = model.advance_best(f64::from(frame) / 60.0, is_calm);
         moves += commands.len();
-        commands.into_iter().for_each(|command| {
+        for command in commands {
             model.dispatch(command, 0.0);
-        });
+        }
         model.refresh(true);
         if !goes_on {
-            return moves;
+            break;
         }
+        assert!(frame < 100_000, "it does not end");
     }
-    panic!("it does not end")
+    moves
 }
 
 #[test]
@@ -62,7 +63,6 @@ fn the_points_move_to_the_best_map_in_small_steps_or_at_once() {
         assert!((measured - outcome.after).abs() < 1e-9, "{measured} is shown, {} was said", outcome.after);
         let after = model.session();
         assert_ne!(after.side(Side::Source).interior(), before.side(Side::Source).interior());
-        assert_eq!(after.side(Side::Target).anchor(), before.side(Side::Target).anchor(), "a turn does not matter");
     }
 }
 

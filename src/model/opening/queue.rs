@@ -69,20 +69,20 @@ impl FileQueue {
 impl Model {
     /// Reads a file for a side after those before it.
     pub(in crate::model) fn read_in_turn(&mut self, side: Side, opened: OpenedFile) {
-        self.queue.0.push_back(Waiting::ToRead(side, opened));
+        self.opening.queue.0.push_back(Waiting::ToRead(side, opened));
         self.read_on();
     }
 
     /// Requests a surface from a file opened for or dropped over a side, after the files before it: one of them may be
     /// the session that needs it.
     pub fn open_surface_in_turn(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
-        self.queue.0.push_back(Waiting::Surface { side, name: name.to_owned(), bytes });
+        self.opening.queue.0.push_back(Waiting::Surface { side, name: name.to_owned(), bytes });
         self.read_on();
     }
 
     /// Continues with the files that were opened after a session file, once its session is open.
     pub fn open_later(&mut self, later: FileQueue) {
-        self.queue.0.extend(later.0);
+        self.opening.queue.0.extend(later.0);
         self.read_on();
     }
 
@@ -111,7 +111,7 @@ impl Model {
     }
 
     fn take_next(&mut self) -> Option<Waiting> {
-        if self.is_turn_of(self.queue.0.front()?) { self.queue.0.pop_front() } else { None }
+        if self.is_turn_of(self.opening.queue.0.front()?) { self.opening.queue.0.pop_front() } else { None }
     }
 
     /// Whether a waiting file can start: no file that it has to wait for is being read.
@@ -129,6 +129,6 @@ impl Model {
 
     /// Whether the first waiting file can start.
     pub(in crate::model) fn can_read_on(&self) -> bool {
-        self.queue.0.front().is_some_and(|waiting| self.is_turn_of(waiting))
+        self.opening.queue.0.front().is_some_and(|waiting| self.is_turn_of(waiting))
     }
 }
