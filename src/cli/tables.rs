@@ -1,6 +1,7 @@
 //! A map's numbers as JSON, with a summary.
 
 use super::accuracy::Accuracy;
+use super::chain::Chain;
 use super::pins::Pinned;
 use crate::conformal::{
     ConformalMap, FrameTimings, PerSide, Places, PrepareTimings, PreparedSide, Quality, ResolvedBoundary, Side,
@@ -54,6 +55,9 @@ pub struct Summary {
     /// The pins and what came out, if the map was given by pins.
     #[serde(flatten)]
     pub pinned: Option<Pinned>,
+    /// The links, if the map is a composition.
+    #[serde(flatten)]
+    pub chain: Option<Chain>,
 }
 
 impl Summary {
@@ -74,6 +78,7 @@ impl Summary {
             interpretation,
             accuracy: Accuracy::of(map, unestimated),
             pinned: None,
+            chain: None,
         }
     }
 }
