@@ -61,7 +61,8 @@ impl Model {
             | Command::SetColouring(_)
             | Command::SetWireframe(_)
             | Command::SetPlots(_)
-            | Command::SetComparison(_) => {
+            | Command::SetComparison(_)
+            | Command::SetSymmetries(_) => {
                 let touched = self.session.apply(command);
                 self.changed.points |= touched.touches(Touched::POINTS | Touched::SETTINGS);
                 return touched;

@@ -79,6 +79,8 @@ pub enum Command {
     SetWireframe(bool),
     SetPlots(bool),
     SetComparison(Comparison),
+    /// Shows the symmetries of the outlines, which then catch dragged points.
+    SetSymmetries(bool),
     /// Exchanges source and target.
     Swap,
     /// Replaces the whole session.
@@ -106,7 +108,7 @@ impl Command {
             }
             Self::SetColouring(_) | Self::SetWireframe(_) | Self::SetHoles { .. } => Touched::COLOURS,
             Self::SetPlots(_) => Touched::PLOTS,
-            Self::SetComparison(_) => Touched::COMPARISON,
+            Self::SetComparison(_) | Self::SetSymmetries(_) => Touched::COMPARISON,
             Self::Open(_) => Touched::EVERYTHING,
         }
     }
@@ -173,6 +175,7 @@ impl Session {
             Command::SetWireframe(shown) => self.display.wireframe = shown,
             Command::SetPlots(open) => self.display.plots = open,
             Command::SetComparison(comparison) => self.display.comparison = comparison,
+            Command::SetSymmetries(shown) => self.display.symmetries = shown,
             Command::Swap => {
                 self.sides.swap();
                 self.pins = self.pins.as_ref().map(Pins::exchanged);

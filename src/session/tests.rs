@@ -195,6 +195,7 @@ fn commands() -> Vec<Command> {
         Command::SetWireframe(true),
         Command::SetPlots(true),
         Command::SetComparison(Comparison::Both),
+        Command::SetSymmetries(true),
         Command::Swap,
         Command::CloseSurface(Side::Target),
         Command::Open(Box::default()),
@@ -225,6 +226,7 @@ fn differences(a: &Session, b: &Session) -> Touched {
         (a.display.colouring != b.display.colouring || a.display.wireframe != b.display.wireframe, Touched::COLOURS),
         (a.display.plots != b.display.plots, Touched::PLOTS),
         (a.display.comparison != b.display.comparison, Touched::COMPARISON),
+        (a.display.symmetries != b.display.symmetries, Touched::COMPARISON),
     ];
     parts.into_iter().filter(|(differs, _)| *differs).fold(Touched::NOTHING, |all, (_, part)| all | part)
 }

@@ -5,7 +5,7 @@
 //! | the column of controls | `side_panel`, `surface_panel`, `play_panel` |
 //! | which map: by points or by pins | `pins_panel` |
 //! | the boundary loops of a surface | `loops_panel` |
-//! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `invariants_panel` |
+//! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `symmetry_panel`, `invariants_panel` |
 //! | the welcome of the first visit | `welcome` |
 //! | the placement of the texture's picture | `picture_panel` |
 //! | title, buttons, messages and legend of a picture | `header` |
@@ -26,4 +26,5 @@ pub mod shapes;
 pub mod side_panel;
 mod sketch;
 pub mod surface_panel;
+pub mod symmetry_panel;
 pub mod welcome;

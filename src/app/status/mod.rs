@@ -2,6 +2,7 @@
 
 pub mod pointed;
 pub mod stats;
+mod symmetries;
 
 use super::theme::{self, Palette};
 use crate::app::language::words;

@@ -1,6 +1,7 @@
 //! The state of the screen as one plain record, for `window.riemap.stats()` and for tests.
 
 use crate::app::editing::EditingStats;
+use crate::app::status::symmetries::SymmetryStats;
 use crate::conformal::{FrameTimings, KernelMode, PerSide, PrepareTimings, Side};
 use crate::geometry::DVec2;
 use crate::language::Message;
@@ -36,6 +37,8 @@ pub struct HandlePositions {
     pub y2: Option<[f32; 2]>,
     /// The source's and the target's pins; none: the points determine the map.
     pub pins: [Vec<[f32; 2]>; 2],
+    /// What has caught the dot that was dragged last, in words.
+    pub caught: Option<String>,
 }
 
 /// The result of a map through the disk; arrays are by source and target.
@@ -149,6 +152,8 @@ pub struct OverlayStats {
     pub walks: (u64, Option<f64>),
     /// The invariants of both sides, where they are asked for and there; a text is why not.
     pub invariants: [Option<Result<FoundInvariants, String>>; 2],
+    /// The symmetries of both outlines, where they are shown and found.
+    pub symmetries: [Option<SymmetryStats>; 2],
 }
 
 /// What the screen knows and the model does not.
@@ -299,7 +304,7 @@ fn map(model: &Model) -> MapStats {
         unresolved_area: model.unresolved_area(),
         unrefined: model.unrefined().map(Message::english),
         error_estimate: model.error_bounds(),
-        pin_misses: model.pin_misses(),
+        pin_misses: model.pin_misses().map(<[f64]>::to_vec),
         boundary_checksum: boundary_checksum(model),
     }
 }
@@ -326,6 +331,7 @@ fn overlays(model: &Model) -> OverlayStats {
         },
         walks: (walks.count(), walks.deviation()),
         invariants: Side::BOTH.map(|side| Some(model.invariants(side)?.clone().map_err(|reason| reason.english()))),
+        symmetries: Side::BOTH.map(|side| Some(SymmetryStats::of(&model.symmetries(side)?.as_ref().ok()?.symmetries))),
     }
 }
 
@@ -368,7 +374,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 48] = [
+    const KEYS: [&str; 49] = [
         "backend",
         "boundary_checksum",
         "cauchy_green",
@@ -410,6 +416,7 @@ mod tests {
         "source",
         "spoken",
         "surface_ms",
+        "symmetries",
         "target",
         "triangles",
         "undo",

@@ -8,8 +8,10 @@
 //! | the state of both pictures | `pictures` |
 //! | a side's picture: of a plane or of a surface | `picture` |
 //! | dragging and painting the dots | `dots` |
-//! | adding, removing and numbering pins | `pins` |
+//! | which dots there are, and what moves them | `moves` |
+//! | adding pins, and their misses | `pins` |
 //! | the marks at an outline's corners | `corners` |
+//! | axes and centers of symmetry | `symmetry` |
 //! | moving the texture's picture | `picture_gestures` |
 //! | a small circle with a cross, and its image | `probe` |
 //! | uploads to the GPU and drawing | `gpu`, `gpu_extension`, `cells` |
@@ -22,6 +24,7 @@ pub mod dots;
 pub mod gpu;
 mod gpu_extension;
 pub mod legend;
+mod moves;
 pub mod picture;
 mod picture_gestures;
 pub mod pictures;
@@ -29,5 +32,6 @@ mod pins;
 pub mod planar;
 pub mod probe;
 pub mod surface;
+mod symmetry;
 pub mod uv;
 pub mod view;

@@ -175,6 +175,9 @@ keys_of_labels! {
     frame_tooltip, source, target, stage_sample, stage_assemble, stage_order, stage_table, waiting_worker,
     reading, sampling_boundary, triangulating, assembling_laplacian, ordering, factoring, solved_iteratively,
     mesh_is_coarser,
+    // symmetry
+    symmetry, explain_symmetry, show_symmetries, show_symmetries_tooltip, no_symmetry, in_center, in_corner,
+    drag_with_alt, drag_with_alt_about,
 }
 
 keys_of_messages! {
@@ -226,4 +229,7 @@ keys_of_messages! {
     edited_name(name); harmonic_coordinates(percent); cauchy_green_cpu_at(percent);
     sizes(boundary, interior, duration); surface_sizes_about(count, shown);
     edges_flipped(count, shown, before, after);
+    // symmetry
+    symmetries_of(side); symmetry_axis(angle, off); symmetry_turns(angle, off); symmetry_circle(off); more_axes(count);
+    symmetry_tolerance(share); on_axis(angle); at_axis_end(angle); caught_dot(dot, place);
 }

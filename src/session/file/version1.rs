@@ -13,6 +13,7 @@ pub(super) fn holds(session: &Session) -> bool {
     session.surface(Side::Source).is_none()
         && !session.surface(Side::Target).is_some_and(SurfaceState::chooses_loops)
         && session.picture().is_default()
+        && !session.symmetries()
         && session.pins().is_none()
         && Side::BOTH.iter().all(|&side| session.domain(side).outline.is_only_polygon())
 }
@@ -116,6 +117,7 @@ impl TryFrom<Version1> for Session {
                 wireframe: form.added.wireframe,
                 plots: form.added.plots,
                 comparison: form.added.comparison,
+                symmetries: false, // since format 2
                 picture: form.added.picture,
             },
             pins: None,

@@ -59,9 +59,18 @@ pub(super) struct Version2 {
     wireframe: bool,
     plots: bool,
     comparison: Comparison,
+    #[serde(flatten)]
+    added: Added,
+    pins: Option<Vec<PerSide<f64>>>,
+}
+
+/// What the first files of this version do not hold.
+#[derive(Deserialize)]
+struct Added {
+    #[serde(default)]
+    symmetries: bool,
     #[serde(default)]
     picture: PicturePlacement,
-    pins: Option<Vec<PerSide<f64>>>,
 }
 
 #[derive(Deserialize)]
@@ -99,7 +108,8 @@ impl TryFrom<Version2> for Session {
                 wireframe: form.wireframe,
                 plots: form.plots,
                 comparison: form.comparison,
-                picture: form.picture,
+                symmetries: form.added.symmetries,
+                picture: form.added.picture,
             },
         })
     }

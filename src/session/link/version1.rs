@@ -117,7 +117,8 @@ impl Version1 {
                     wireframe,
                     plots,
                     comparison,
-                    picture: _, // in a section of version 2
+                    symmetries: _, // a section of version 2
+                    picture: _,    // in a section of version 2
                 },
             pins: _, // a section of version 2
         } = session;
@@ -157,7 +158,7 @@ impl Version1 {
                 WiredOutline::Preset(name) => (preset(&name)?, interior, anchor),
                 WiredOutline::Points { name, points } => (with_points(side, name, &points)?, interior, anchor),
                 WiredOutline::File { name } => {
-                    missing.push(MissingOutline { side, name: checked_name(name)?, interior, anchor });
+                    missing.push(MissingOutline { side, name: checked_name(name)?, interior, anchor, pins: None });
                     (OutlineSpec::Preset(STAND_IN), None, 0.0)
                 }
             };
@@ -177,6 +178,7 @@ impl Version1 {
                 wireframe: self.wireframe,
                 plots: self.plots,
                 comparison: Coded::of(self.comparison)?,
+                symmetries: false,
                 picture: PicturePlacement::default(),
             },
             pins: None,

@@ -12,6 +12,7 @@
 //! | 4 | the placement of the image, where it is not the default: it changes no map | yes |
 //! | 5, 6 | the loop that is the outline of the source's, the target's surface, and whether its holes are painted | no |
 //! | 7 | the pins, pairs of fractions; the points of the map through them are in the link too | yes |
+//! | 11 | empty: the symmetries of the outlines are shown | yes |
 
 use super::codes::Coded;
 use super::curves::WiredCurve;
@@ -34,6 +35,9 @@ const LOOPS: PerSide<u16> = PerSide::new(5, 6);
 /// The section with the pins.
 const PINS: u16 = 7;
 
+/// The section that shows the symmetries.
+const SYMMETRIES: u16 = 11;
+
 /// A session.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Version2 {
@@ -54,6 +58,7 @@ pub(super) fn is_needed(session: &Session) -> bool {
         || session.surface(Side::Target).is_some_and(SurfaceState::chooses_loops)
         || !session.picture().is_default()
         || session.pins().is_some()
+        || session.symmetries()
 }
 
 impl Version2 {
@@ -89,6 +94,9 @@ impl Version2 {
             let content = postcard::to_allocvec(&pairs).ok()?;
             sections.push(Section { number: PINS, may_be_skipped: true, content });
         }
+        if session.symmetries() {
+            sections.push(Section { number: SYMMETRIES, may_be_skipped: true, content: Vec::new() });
+        }
         Some(Self { first: Version1::new(session, outlines), sections })
     }
 
@@ -109,6 +117,10 @@ impl Version2 {
                     let pairs = super::whole::<Vec<[f64; 2]>>(content)?.into_iter().map(PerSide::from);
                     decoded.session.pins = Some(Pins::new(pairs).map_err(LinkError::Pins)?);
                 }
+                SYMMETRIES => {
+                    super::whole::<()>(content)?;
+                    decoded.session.display.symmetries = true;
+                }
                 _ if *number == LOOPS.source => choose_loops(&mut decoded, Side::Source, content)?,
                 _ if *number == LOOPS.target => choose_loops(&mut decoded, Side::Target, content)?,
                 _ if *number == CURVES.source => place_curve(&mut decoded, Side::Source, content)?,
@@ -118,8 +130,9 @@ impl Version2 {
             }
         }
         if !decoded.missing.is_empty() {
-            // not on a disk that stands in for an outline; the points give the map
-            decoded.session.pins = None;
+            // not on a disk that stands in for an outline
+            let pins = decoded.session.pins.take();
+            decoded.missing.iter_mut().for_each(|outline| outline.pins.clone_from(&pins));
         }
         Ok(decoded)
     }
