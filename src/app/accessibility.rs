@@ -4,8 +4,9 @@
 //! it in the page. On the desktop the system's accessibility interface reads the widgets themselves.
 
 use crate::app::RiemapApp;
+use crate::app::input::handles::{Handle, HandleKind};
 use crate::app::language::words;
-use crate::app::panels::{best_panel, invariants_panel, pins_panel};
+use crate::app::panels::{best_panel, invariants_panel, pins_panel, symmetry_panel};
 use crate::app::status::pointed;
 use crate::app::viewport::probe;
 use crate::conformal::{PerSide, Side};
@@ -16,6 +17,9 @@ use crate::model::shape::Shape;
 use crate::session::{Colouring, TextureKind};
 use crate::worker::Number;
 use egui::{Role, WidgetInfo};
+
+/// A boundary point is found again from its fraction of the length up to this distance, in extents of the outline.
+const SAME_PLACE: f64 = 1e-9;
 
 /// A description of the picture in a few sentences.
 pub fn state(app: &RiemapApp) -> String {
@@ -28,6 +32,8 @@ pub fn state(app: &RiemapApp) -> String {
         let mean = number(quality.q_mean, 3);
         sentences.push(say(&key::accessible_quality(mean, quality.flipped)));
     }
+    sentences.extend(Side::BOTH.into_iter().filter_map(|side| symmetries(model, side)));
+    sentences.extend(caught(app));
     sentences.extend(Side::BOTH.into_iter().filter_map(|side| invariants(model, side)));
     sentences.extend(best(model));
     sentences.extend(app.clicked().as_ref().map(pointed::sentence));
@@ -78,7 +84,7 @@ fn pins(model: &Model) -> Option<String> {
     let misses = model.pin_misses();
     let pairs = model.pins()?.pairs().iter().enumerate().map(|(pin, pair)| {
         let [from, onto] = pair.into_array().map(|fraction| number(100.0 * fraction, 1));
-        let miss = pins_panel::missed(misses.as_ref().map(|misses| misses[pin]));
+        let miss = pins_panel::missed(misses.map(|misses| misses[pin]));
         say(&key::accessible_pin(pin + 1, from, onto, miss))
     });
     Some(pairs.collect::<Vec<_>>().join(" "))
@@ -95,6 +101,33 @@ fn best(model: &Model) -> Option<String> {
         .map(|(at, value)| say(&key::accessible_landscape(number(at.x, 3), number(at.y, 3), number(value, 3))));
     let sentences: Vec<String> = search.into_iter().chain(outcome).chain(lowest).collect();
     (!sentences.is_empty()).then(|| sentences.join(" "))
+}
+
+/// The symmetries of a side that are shown.
+fn symmetries(model: &Model, side: Side) -> Option<String> {
+    let words = match model.symmetries(side)? {
+        Ok(found) => symmetry_panel::lines(&found.symmetries).join("; "),
+        Err(reason) => say(reason),
+    };
+    Some(format!("{}: {words}.", say(&key::symmetries_of(words::side_within(side)))))
+}
+
+/// What has caught the dot that was dragged last, while it is still there.
+pub(super) fn caught(app: &RiemapApp) -> Option<String> {
+    let (model, (handle, catch)) = (&app.model, app.input.handles.caught?);
+    let Handle { side, kind } = handle;
+    let samples = model.domain(side).filter(|_| model.surface(side).is_none())?.samples();
+    let place = match kind {
+        HandleKind::Interior => model.interior(side)?,
+        HandleKind::Boundary => model.anchor(side)?,
+        HandleKind::Pin(pin) => {
+            samples.position(samples.at_fraction(model.pins()?.pairs().get(usize::from(pin))?[side]))
+        }
+    };
+    let (low, high) = model.extent(side)?;
+    let is_there = place.distance(catch.place) <= SAME_PLACE * (high - low).max_element();
+    let words = catch.by.words(model.symmetries(side).and_then(|found| found.as_ref().ok())).filter(|_| is_there)?;
+    Some(say(&key::caught_dot(handle.symbol().into_owned(), words)))
 }
 
 /// The invariants of a side that are shown.

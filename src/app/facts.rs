@@ -1,6 +1,6 @@
 //! The app's state as data: the numbers on the screen, errors and notes, positions of the dots.
 
-use super::{RiemapApp, editing};
+use super::{RiemapApp, accessibility, editing};
 use crate::app::input::handles::HandleKind;
 use crate::app::overlays;
 use crate::app::status::stats::{
@@ -61,7 +61,7 @@ impl RiemapApp {
     fn handle_positions(&self) -> HandlePositions {
         let ([x1, y1], [x2, y2]) = (self.places_of_dots(Side::Source), self.places_of_dots(Side::Target));
         let pins = Side::BOTH.map(|side| self.places_of_pins(side));
-        HandlePositions { x1, x2, y1, y2, pins }
+        HandlePositions { x1, x2, y1, y2, pins, caught: accessibility::caught(self) }
     }
 
     /// The positions of a side's interior point and boundary point.

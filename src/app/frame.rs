@@ -89,6 +89,7 @@ impl RiemapApp {
         self.refit(context);
         self.measure_at_rest(context, now);
         self.begin_invariants(context, now);
+        self.begin_symmetries(context, now);
         self.advance_overlays(context, now);
         self.look_under_pointer(context, now);
         self.look_at_probe(context, now);
@@ -116,9 +117,22 @@ impl RiemapApp {
         }
     }
 
+    /// Requests the symmetries that are shown, once the outline rests.
+    fn begin_symmetries(&mut self, context: &egui::Context, now: f64) {
+        if !self.model.are_symmetries_due() {
+            return;
+        }
+        if !self.is_resting(now) {
+            context.request_repaint_after_secs(REST_SECONDS as f32);
+        } else if let Some(outline) = self.model.take_symmetry() {
+            self.workers.symmetry_runner.begin(Study::Symmetry(Box::new(outline)));
+        }
+    }
+
     /// Moves the points that are in motion; returns whether any point moves, dragged or by itself.
     fn play(&mut self, context: &egui::Context, now: f64) -> bool {
         let is_held = self.input.handles.grip.is_some();
+        self.model.hold_dot(is_held);
         if is_held {
             self.player.pause();
         }

@@ -68,6 +68,11 @@ impl RiemapApp {
                 Finding::Failed(reason) => Err(reason),
                 _ => Err(key::another_answer().into()),
             }),
+            Study::Symmetry(_) => self.model.accept_symmetries(match finding {
+                Finding::Symmetry(found) => Ok(*found),
+                Finding::Failed(reason) => Err(reason),
+                _ => Err(key::another_answer().into()),
+            }),
             Study::Formula(task) => self.take_formula(task, finding),
             _ => self.windows.reports.accept(study, finding),
         }

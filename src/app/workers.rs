@@ -37,6 +37,8 @@ pub struct Workers {
     pub study_runner: StudyRunner,
     /// For the invariants, so that a table under way does not delay them.
     pub invariants_runner: StudyRunner,
+    /// For symmetries.
+    pub symmetry_runner: StudyRunner,
     /// For formulas, which can be cancelled.
     pub formula_runner: StudyRunner,
     /// The sending end; its receiver is `events`.
@@ -53,6 +55,7 @@ impl Workers {
             preparer: Preparer::new(mailbox.clone()),
             study_runner: StudyRunner::new(mailbox.clone()),
             invariants_runner: StudyRunner::new(mailbox.clone()),
+            symmetry_runner: StudyRunner::new(mailbox.clone()),
             formula_runner: StudyRunner::new(mailbox.clone()),
             mailbox,
             events,

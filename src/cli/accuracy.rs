@@ -62,6 +62,11 @@ impl Accuracy {
         self.points.as_deref()
     }
 
+    /// The largest estimated error of an image of a boundary vertex.
+    pub fn image_error(&self) -> Option<f64> {
+        self.error_estimate.map(|largest| largest.image)
+    }
+
     /// Where finite elements are used instead of the integral equation, and the estimate, as lines after line breaks.
     pub fn text(&self) -> String {
         let finite = |(side, reason): (Side, &Option<String>)| {

@@ -65,7 +65,7 @@ fn format_of(path: &Path) -> Result<FormulaFormat, CliError> {
 /// The map, by the boundary integral.
 fn map(arguments: &FormulaArguments, progress: &Progress) -> Result<ConformalMap, CliError> {
     let titles = arguments.titles();
-    let asked = arguments.asked(&titles);
+    let asked = arguments.asked(&titles)?;
     if let Some(surface) = asked.iter().find(|side| is_surface(side.name)) {
         return Err(CliError::Usage(format!("{} is a surface; a formula is for two outlines", surface.title)));
     }

@@ -1,5 +1,6 @@
 //! The arguments of `riemap formula`.
 
+use super::CliError;
 use super::discretization::{Discretization, InterpretArgument, KernelArgument, SamplingArgument, SolverArgument};
 use super::map_arguments::{PointArguments, SampleArguments};
 use super::side::Asked;
@@ -70,10 +71,11 @@ impl FormulaArguments {
         }
     }
 
-    /// The arguments of each side.
-    pub fn asked<'a>(&'a self, titles: &'a PerSide<String>) -> [Asked<'a>; 2] {
+    /// The arguments of each side. Errors: an option is given more than once.
+    pub fn asked<'a>(&'a self, titles: &'a PerSide<String>) -> Result<[Asked<'a>; 2], CliError> {
         let (points, samples) = (&self.points, &self.side_samples);
-        [
+        let (target_point, target_anchor) = self.points.of_targets(1)?[0];
+        Ok([
             Asked {
                 name: &self.source,
                 title: &titles.source,
@@ -85,9 +87,9 @@ impl FormulaArguments {
                 name: &self.target,
                 title: &titles.target,
                 samples: samples.target_samples,
-                point: ("--target-point", points.target_point),
-                anchor: ("--target-anchor", points.target_anchor),
+                point: ("--target-point", target_point),
+                anchor: ("--target-anchor", target_anchor),
             },
-        ]
+        ])
     }
 }

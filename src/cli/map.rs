@@ -1,12 +1,14 @@
 //! `riemap map`: computes the map between two sides and writes it.
 
 use super::CliError;
+use super::chain::{self, Chain};
 use super::map_arguments::{DirectionArgument, ExtensionArgument, MapArguments};
 use super::optimization::optimized;
 use super::output::{Format, check_paths, print, triangles, words, write_all};
 use super::pins::{self, Pinned};
+use super::points::Points;
 use super::progress::Progress;
-use super::side::{self, Asked, NamedSide, Placed, Reading, is_surface};
+use super::side::{self, Asked, Given, NamedSide, Placed, Reading, SideAnchor, SidePoint, is_surface};
 use super::tables::{self, Best, Summary};
 use super::{picture, surface_picture};
 use crate::conformal::{
@@ -15,7 +17,6 @@ use crate::conformal::{
 };
 use crate::export::{Ruling, boundary_csv, mapped_obj, panels, parts, svg};
 use crate::optimization::Criterion;
-use crate::outline::Interpreted;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -27,11 +28,11 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
     let progress = Progress::new("reading");
-    let Computed { map, constraints, pinned, best, interpreted, coarse, unestimated, table } =
-        compute(arguments, &progress)?;
+    let Computed { map, constraints, summary, table } =
+        if arguments.sides.is_chain() { chain::compute(arguments, &progress)? } else { compute(arguments, &progress)? };
     progress.enter("writing");
-    let summary = Summary { pinned, best, ..Summary::of(&map, interpreted, coarse, unestimated) };
-    let names = PerSide::new(arguments.source.as_str(), arguments.target.as_str());
+    let names = arguments.sides.names();
+    let names = PerSide::new(names[0], names[names.len() - 1]);
     let scene = Scene { map: &map, constraints, names };
     let mut files = Vec::new();
     for (path, format) in arguments.out.iter().zip(formats) {
@@ -51,7 +52,7 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
 }
 
 fn in_words(summary: &Summary) -> String {
-    let Summary { quality, counts, unresolved_area, interpretation, accuracy, pinned, best, .. } = summary;
+    let Summary { quality, counts, unresolved_area, interpretation, accuracy, pinned, best, chain, .. } = summary;
     let unresolved = unresolved_area.filter(|area| *area > 0.0);
     let kinds =
         interpretation.iter().filter_map(|(side, found)| found.map(|found| format!("{side}: {}", words(found))));
@@ -60,8 +61,9 @@ fn in_words(summary: &Summary) -> String {
     let pinned =
         pinned.as_ref().map(|pinned| format!("\nthe pins are met to {:.1e}", pinned.miss())).unwrap_or_default();
     let best = best.as_ref().map(|best| format!("\n{}", best.optimised.said())).unwrap_or_default();
+    let links = chain.as_ref().map(Chain::text).unwrap_or_default();
     format!(
-        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed{}{}{pinned}{best}{kinds}",
+        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed{}{}{pinned}{best}{kinds}{links}",
         counts.m,
         counts.n,
         triangles(counts.triangles),
@@ -75,18 +77,13 @@ fn in_words(summary: &Summary) -> String {
     )
 }
 
-/// The map, what it was made from, and the preparation of its mapped mesh before that was refined.
-struct Computed {
-    map: ConformalMap,
-    constraints: Constraints,
-    pinned: Option<Pinned>,
-    best: Option<Best>,
-    interpreted: PerSide<Option<Interpreted>>,
-    coarse: PrepareTimings,
-    /// Why there is no estimate of the errors, although it was asked for.
-    unestimated: Option<String>,
+/// The map, what it was made from, and what is said about it.
+pub(super) struct Computed {
+    pub map: ConformalMap,
+    pub constraints: Constraints,
+    pub summary: Summary,
     /// The images of the given points.
-    table: Option<String>,
+    pub table: Option<String>,
 }
 
 /// The most vertices of both meshes whose errors are estimated by comparison with four times as many.
@@ -155,88 +152,159 @@ fn refined(
 }
 
 fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, CliError> {
-    let settings = settings(arguments)?;
-    let points = arguments.evaluate.read(&arguments.out)?;
-    let reading = Reading {
-        repair: arguments.repair,
-        intrinsic_delaunay: !arguments.no_intrinsic_delaunay,
-        discretization: &arguments.discretization,
-    };
-    let titles = titles(arguments);
-    let asked = [
-        Asked {
-            name: &arguments.source,
-            title: &titles.source,
-            samples: arguments.samples.source_samples,
-            point: ("--source-point", arguments.points.source_point),
-            anchor: ("--source-anchor", arguments.points.source_anchor),
-        },
-        Asked {
-            name: &arguments.target,
-            title: &titles.target,
-            samples: arguments.samples.target_samples,
-            point: ("--target-point", arguments.points.target_point),
-            anchor: ("--target-anchor", arguments.points.target_anchor),
-        },
-    ];
-    // report errors in either side's arguments before preparing the first one
-    asked.iter().try_for_each(Asked::check)?;
+    let making = Making::new(arguments, progress)?;
+    let titles = titles(&arguments.sides.names());
+    let asked = making.asked(&titles)?;
+    let asked = [asked[0], asked[1]];
     let pins = arguments.instead.pins.check(&asked)?;
     let criterion = arguments.instead.optimize.criterion.as_ref();
     criterion.map_or(Ok(()), |named| named.check(PerSide::from(asked.map(|side| !is_surface(side.name)))))?;
-    if asked.iter().all(|side| is_surface(side.name)) && arguments.discretization.samples.is_some() {
-        let text = "--samples is for outlines: both sides are surfaces, which have their own boundary vertices";
-        return Err(CliError::Usage(text.to_owned()));
-    }
     let [first, second] = [side::read(asked[0].name, arguments.repair)?, side::read(asked[1].name, arguments.repair)?];
-    let mut source = NamedSide::prepare(&asked[0], first, reading, progress)?;
-    let mut target = NamedSide::prepare(&asked[1], second, reading, progress)?;
+    let mut source = making.prepared(&asked[0], first)?;
+    let mut target = making.prepared(&asked[1], second)?;
     let pins = pins.map(|given| pins::constraints(given, [&mut source, &mut target], progress)).transpose()?;
     let given = match &pins {
         Some((_, constraints)) => *constraints,
         None => Constraints::new(source.constraint(&asked[0])?, target.constraint(&asked[1])?),
     };
-    let direction = settings.direction;
+    let direction = making.settings.direction;
     let criterion = criterion.map(|named| named.criterion(PerSide::new(source.polygon(), target.polygon())));
     let criterion = criterion.transpose()?;
     let best = criterion.map(|criterion| best(criterion, given, direction, [&mut source, &mut target], progress));
     let (constraints, best) = best.transpose()?.map_or((given, None), |(found, best)| (found, Some(best)));
     progress.enter("the map");
-    let sides = (Arc::clone(&source.prepared), Arc::clone(&target.prepared));
-    let map = ConformalMap::new(sides.0, sides.1, &constraints, settings).map_err(|error| refused(&error, &asked))?;
-    let pinned = pins.map(|(pins, _)| Pinned::of(&map, &pins, &constraints, [&source, &target])).transpose()?;
-    // a refined mesh has its measures from the images, not from the integral equation
-    let sharp = points.as_ref().filter(|_| map.curve_map(Side::Source).is_some());
-    let table = sharp.map(|points| points.table(&map, progress)).transpose()?;
-    let mapped = if map.mapped_side() == Side::Source { &source } else { &target };
-    let (mut map, coarse) = refined(map, mapped, arguments, progress);
-    if settings.extension == Extension::CauchyGreen {
-        progress.enter("the Cauchy–Green extension");
+    let sides = [&source, &target];
+    let map = making.map(sides, &constraints, &asked)?;
+    let pinned = pins.map(|(pins, _)| Pinned::of(&map, &pins, &constraints, sides)).transpose()?;
+    let Finished { map, summary, table } = making.finished(map, sides, making.points.as_ref())?;
+    making.say_notes(&sides);
+    say_map_notes(&map, &asked);
+    Ok(Computed { map, constraints, summary: Summary { pinned, best, ..summary }, table })
+}
+
+/// What maps are made with.
+pub(super) struct Making<'a> {
+    pub arguments: &'a MapArguments,
+    pub progress: &'a Progress,
+    pub points: Option<Points>,
+    settings: MapSettings,
+    reading: Reading<'a>,
+}
+
+/// A complete map, with its summary and the images of points.
+pub(super) struct Finished {
+    pub map: ConformalMap,
+    pub summary: Summary,
+    pub table: Option<String>,
+}
+
+impl<'a> Making<'a> {
+    /// Checks the settings and reads the points of the arguments.
+    pub fn new(arguments: &'a MapArguments, progress: &'a Progress) -> Result<Self, CliError> {
+        let reading = Reading {
+            repair: arguments.repair,
+            intrinsic_delaunay: !arguments.no_intrinsic_delaunay,
+            discretization: &arguments.discretization,
+        };
+        let settings = settings(arguments)?;
+        let points = arguments.evaluate.read(&arguments.out)?;
+        Ok(Self { arguments, progress, points, settings, reading })
     }
-    map.refine_exactly_with(&mut |done| progress.report(done));
-    if arguments.extension == ExtensionArgument::Exact {
-        extend_exactly(&mut map, progress)?;
+
+    /// The arguments of each side; errors in any of them are reported before the first one is prepared.
+    pub fn asked<'b>(&'b self, titles: &'b [String]) -> Result<Vec<Asked<'b>>, CliError> {
+        let MapArguments { sides, points, samples, discretization, .. } = self.arguments;
+        let source = (points.source_point, points.source_anchor);
+        let names = sides.names();
+        let targets = points.of_targets(names.len() - 1)?;
+        let side = |(k, (point, anchor)): (usize, (Option<SidePoint>, SideAnchor))| {
+            let (samples, options) = match k {
+                0 => (samples.source_samples, ["--source-point", "--source-anchor"]),
+                _ => (samples.target_samples, ["--target-point", "--target-anchor"]),
+            };
+            Asked {
+                name: names[k],
+                title: &titles[k],
+                samples,
+                point: (options[0], point),
+                anchor: (options[1], anchor),
+            }
+        };
+        let asked: Vec<Asked> = std::iter::once(source).chain(targets).enumerate().map(side).collect();
+        asked.iter().try_for_each(Asked::check)?;
+        if asked.iter().all(|side| is_surface(side.name)) && discretization.samples.is_some() {
+            let text = "--samples is for outlines: both sides are surfaces, which have their own boundary vertices";
+            return Err(CliError::Usage(text.to_owned()));
+        }
+        Ok(asked)
     }
-    let unestimated = if asks_for_errors(arguments) {
-        progress.enter("the errors");
-        estimate(&mut map, [&source, &target], reading, progress)
-    } else {
-        None
-    };
-    let table = match (table, points) {
-        (None, Some(points)) => Some(points.table(&map, progress)?),
-        (table, _) => table,
-    };
-    for side in [&source, &target] {
-        side.say_notes(&arguments.discretization);
+
+    /// Prepares a side that was read.
+    pub fn prepared(&self, asked: &Asked<'_>, given: Given) -> Result<NamedSide, CliError> {
+        NamedSide::prepare(asked, given, self.reading, self.progress)
     }
+
+    /// The map between two sides, on their own meshes.
+    pub fn map(
+        &self,
+        [source, target]: [&NamedSide; 2],
+        constraints: &Constraints,
+        asked: &[Asked<'_>; 2],
+    ) -> Result<ConformalMap, CliError> {
+        let sides = (Arc::clone(&source.prepared), Arc::clone(&target.prepared));
+        ConformalMap::new(sides.0, sides.1, constraints, self.settings).map_err(|error| refused(&error, asked))
+    }
+
+    /// The map, refined and extended as asked for, its summary, and the images of `points`.
+    pub fn finished(
+        &self,
+        map: ConformalMap,
+        sides: [&NamedSide; 2],
+        points: Option<&Points>,
+    ) -> Result<Finished, CliError> {
+        let Self { arguments, progress, .. } = *self;
+        // a refined mesh has its measures from the images, not from the integral equation
+        let sharp = points.filter(|_| map.curve_map(Side::Source).is_some());
+        let table = sharp.map(|points| points.table(&map, progress)).transpose()?;
+        let mapped = if map.mapped_side() == Side::Source { sides[0] } else { sides[1] };
+        let (mut map, coarse) = refined(map, mapped, arguments, progress);
+        if self.settings.extension == Extension::CauchyGreen {
+            progress.enter("the Cauchy–Green extension");
+        }
+        map.refine_exactly_with(&mut |done| progress.report(done));
+        if arguments.extension == ExtensionArgument::Exact {
+            extend_exactly(&mut map, progress)?;
+        }
+        let unestimated = if asks_for_errors(arguments) {
+            progress.enter("the errors");
+            estimate(&mut map, sides, self.reading, progress)
+        } else {
+            None
+        };
+        let table = match (table, points) {
+            (None, Some(points)) => Some(points.table(&map, progress)?),
+            (table, _) => table,
+        };
+        let interpreted = PerSide::new(sides[0].interpreted(), sides[1].interpreted());
+        let summary = Summary::of(&map, interpreted, coarse, unestimated);
+        Ok(Finished { map, summary, table })
+    }
+
+    /// Reports on stderr how the sides were read and prepared.
+    pub fn say_notes(&self, sides: &[&NamedSide]) {
+        for side in sides {
+            side.say_notes(&self.arguments.discretization);
+        }
+    }
+}
+
+/// Reports on stderr the warnings about the sides of a map.
+pub(super) fn say_map_notes(map: &ConformalMap, asked: &[Asked<'_>; 2]) {
     for (side, asked) in Side::BOTH.into_iter().zip(asked) {
         if let Some(note) = map.note(side) {
             eprintln!("riemap: {}: {note}", asked.title);
         }
     }
-    let interpreted = PerSide::new(source.interpreted(), target.interpreted());
-    Ok(Computed { map, constraints, pinned, best, interpreted, coarse, unestimated, table })
 }
 
 /// The constraints of the best map. An outline whose equation does not resolve its point is prepared anew with it.
@@ -267,15 +335,16 @@ fn extend_exactly(map: &mut ConformalMap, progress: &Progress) -> Result<(), Cli
 
 fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {
     let direction = match arguments.direction {
-        DirectionArgument::Forward => Direction::Forward,
-        DirectionArgument::Backward => Direction::Backward,
+        Some(DirectionArgument::Forward) => Direction::Forward,
+        None if arguments.sides.is_chain() => Direction::Forward,
+        Some(DirectionArgument::Backward) | None => Direction::Backward,
     };
     let extension = match arguments.extension {
         // exact images replace the harmonic ones once these are complete
         ExtensionArgument::Harmonic | ExtensionArgument::Exact => Extension::Harmonic,
         ExtensionArgument::CauchyGreen => Extension::CauchyGreen,
     };
-    let names = [&arguments.source, &arguments.target];
+    let names = arguments.sides.names();
     let is_integral = arguments.discretization.kernel_or(KernelMode::Adjoint) == KernelMode::Integral;
     if is_integral && names.iter().all(|name| is_surface(name)) {
         let text =
@@ -296,13 +365,17 @@ fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {
     }
 }
 
-/// What messages call the sides: by their names, with "source" and "target" where the names are the same.
-fn titles(MapArguments { source, target, .. }: &MapArguments) -> PerSide<String> {
-    if source == target {
-        PerSide::new(format!("{source} (source)"), format!("{target} (target)"))
-    } else {
-        PerSide::new(source.clone(), target.clone())
-    }
+/// What messages call the sides: by their names, with "source" and "target" where the names of two are the same, and
+/// with their numbers where those of several are.
+pub(super) fn titles(names: &[&str]) -> Vec<String> {
+    let is_double = |name: &str| names.iter().filter(|other| **other == name).count() > 1;
+    let numbered = |(k, name): (usize, &&str)| match (is_double(name), names.len(), k) {
+        (false, ..) => (*name).to_owned(),
+        (true, 2, 0) => format!("{name} (source)"),
+        (true, 2, _) => format!("{name} (target)"),
+        (true, ..) => format!("{name} ({})", k + 1),
+    };
+    names.iter().enumerate().map(numbered).collect()
 }
 
 /// An error of the map; one about a surface with its title, for there may be two.

@@ -8,6 +8,7 @@ mod accuracy;
 mod animate;
 mod arguments;
 mod bench;
+mod chain;
 #[cfg(all(unix, not(target_vendor = "apple")))]
 mod corners;
 mod discretization;

@@ -44,6 +44,7 @@ pub fn png(
         boundary: domain.samples().points(),
         unresolved: &[],
         handles: planar_places(domain, x1, anchors[plane]),
+        pins: &[],
     };
     let style = checker(panel.bounds(), x1);
     // strokes and handles scale with the picture
@@ -59,6 +60,7 @@ pub fn png(
         coordinates: map.images(),
         camera: camera(preset(name), surface, 0.5 * f64::from(size[0]) / f64::from(size[1])),
         handles: places(surface, x2, anchors[side]),
+        pins: &[],
         cells: None,
     };
     let flat = ScenePart::Plane(PlanarPart { panel, cells: Some(layout) });
@@ -85,6 +87,7 @@ pub fn png_of_two(
             coordinates: map.disk(side)?,
             camera: camera(preset(names[side]), surface, aspect),
             handles: places(surface, point, map.measure(side).anchor()),
+            pins: &[],
             cells: None,
         }))
     };

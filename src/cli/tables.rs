@@ -1,6 +1,7 @@
 //! A map's numbers as JSON, with a summary.
 
 use super::accuracy::Accuracy;
+use super::chain::Chain;
 use super::optimization::Optimized;
 use super::pins::Pinned;
 use super::side::Placed;
@@ -59,6 +60,9 @@ pub struct Summary {
     /// The search and what came out, if the best map was asked for.
     #[serde(flatten)]
     pub best: Option<Best>,
+    /// The links, if the map is a composition.
+    #[serde(flatten)]
+    pub chain: Option<Chain>,
 }
 
 /// The search for the best map, and its constraints.
@@ -90,6 +94,7 @@ impl Summary {
             accuracy: Accuracy::of(map, unestimated),
             pinned: None,
             best: None,
+            chain: None,
         }
     }
 }

@@ -1,14 +1,14 @@
 //! A planar map as SVG: outlines, the lines of a pattern, mesh edges, and the points of the constraints.
 //!
 //! The domains lie side by side, each in its own group, whose elements have the classes `outline`, `unresolved`
-//! (hatching), `mesh`, `lines`, `interior` and `boundary`. The first closed path is the first domain's outline, so
+//! (hatching), `mesh`, `lines`, `interior` and `boundary`, or `pin` with its number. The first closed path is the first domain's outline, so
 //! that the drawing can be loaded as an outline.
 
 use super::hatching::{hatching, spacing};
 use super::polylines::Line;
 use super::ruling::{FAMILIES, Ruling};
 use crate::conformal::{ConformalMap, Constraints, Direction, MeshedDomain, PerSide, Side};
-use crate::geometry::{Bounds, DVec2};
+use crate::geometry::{Bounds, DVec2, DVec3};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
@@ -28,6 +28,8 @@ pub struct Panel<'a> {
     pub unresolved: &'a [Vec<DVec2>],
     /// The interior and the boundary point.
     pub handles: [DVec2; 2],
+    /// The pins in their place, in the plane z = 0; empty: there are none.
+    pub pins: &'a [DVec3],
 }
 
 /// The panels of source and target; the target has source coordinates. `None` if one of them is a surface.
@@ -49,6 +51,7 @@ pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Option<Pe
             boundary: map.drawn_outline(Side::Source),
             unresolved: map.unresolved(Side::Source),
             handles: handles(Side::Source, source)?,
+            pins: &[],
         },
         Panel {
             positions,
@@ -57,6 +60,7 @@ pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Option<Pe
             boundary: map.drawn_outline(Side::Target),
             unresolved: map.unresolved(Side::Target),
             handles: handles(Side::Target, target)?,
+            pins: &[],
         },
     ))
 }
@@ -87,6 +91,7 @@ fn part_with_surface<'a>(map: &'a ConformalMap, constraints: &Constraints, side:
             boundary,
             unresolved: &[],
             handles: [DVec2::ZERO, DVec2::X],
+            pins: &[],
         };
         return Some(Part { side, panel, wire: Some((places, triangles)) });
     }
@@ -100,6 +105,7 @@ fn part_with_surface<'a>(map: &'a ConformalMap, constraints: &Constraints, side:
         boundary: domain.samples().points(),
         unresolved: &[],
         handles: [constraints.points[side].in_plane()?, anchor],
+        pins: &[],
     };
     Some(Part { side, panel, wire: Some((map.images(), map.mapped().triangles())) })
 }
@@ -114,6 +120,9 @@ pub(super) const OUTLINE_COLOR: &str = "#1b1b1f";
 const MESH_COLOR: &str = "#8b8f97";
 /// The colors of the interior and the boundary point.
 pub(super) const POINT_COLORS: [&str; 2] = ["#009e73", "#d63ca6"];
+
+/// The radius of a pin: its number has two digits at most.
+const PIN_RADIUS: u32 = 8;
 
 /// A mesh whose edges are drawn: positions and triangles.
 pub type Wire<'a> = (&'a [DVec2], &'a [[u32; 3]]);
@@ -231,16 +240,39 @@ impl Part<'_> {
             }
             text.push_str("\"/>\n");
         }
-        for ((&p, colour), class) in panel.handles.iter().zip(POINT_COLORS).zip(["interior", "boundary"]) {
-            let p = placement.of(p);
-            let _ = writeln!(
-                text,
-                "<circle class=\"{class}\" cx=\"{:.3}\" cy=\"{:.3}\" r=\"6\" fill=\"{colour}\" stroke=\"white\" \
-                 stroke-width=\"2\"/>",
-                p.x, p.y
-            );
-        }
+        draw_dots(text, panel, placement);
         text.push_str("</g>\n");
+    }
+}
+
+/// Draws the interior and the boundary point, or the pins with their numbers.
+fn draw_dots(text: &mut String, panel: &Panel<'_>, placement: Placement) {
+    let mut dot = |class: &str, colour: &str, place: DVec2, radius: u32| {
+        let p = placement.of(place);
+        let _ = writeln!(
+            text,
+            "<circle class=\"{class}\" cx=\"{:.3}\" cy=\"{:.3}\" r=\"{radius}\" fill=\"{colour}\" stroke=\"white\" \
+             stroke-width=\"2\"/>",
+            p.x, p.y
+        );
+        p
+    };
+    if panel.pins.is_empty() {
+        for ((&place, colour), class) in panel.handles.iter().zip(POINT_COLORS).zip(["interior", "boundary"]) {
+            dot(class, colour, place, 6);
+        }
+        return;
+    }
+    let places: Vec<DVec2> =
+        panel.pins.iter().map(|pin| dot("pin", POINT_COLORS[1], pin.truncate(), PIN_RADIUS)).collect();
+    for (p, number) in places.into_iter().zip(1..) {
+        let _ = writeln!(
+            text,
+            "<text x=\"{:.3}\" y=\"{:.3}\" font-size=\"10\" font-family=\"sans-serif\" text-anchor=\"middle\" \
+             fill=\"white\">{number}</text>",
+            p.x,
+            p.y + 3.5
+        );
     }
 }
 

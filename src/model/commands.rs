@@ -67,7 +67,8 @@ impl Model {
             | Command::SetWireframe(_)
             | Command::SetPlots(_)
             | Command::SetComparison(_)
-            | Command::SetRegion(_) => {
+            | Command::SetRegion(_)
+            | Command::SetSymmetries(_) => {
                 let touched = self.session.apply(command);
                 self.changed.points |= touched.touches(Touched::POINTS | Touched::SETTINGS);
                 return touched;

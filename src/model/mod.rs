@@ -28,6 +28,7 @@ pub mod overlays;
 pub mod pattern;
 pub mod persistence;
 mod pinned;
+mod pins_seen;
 mod pointer;
 mod probe;
 mod refresh;
@@ -38,6 +39,7 @@ mod sharpness;
 mod shown;
 pub mod side;
 mod surface;
+mod symmetry;
 mod under_way;
 mod update;
 

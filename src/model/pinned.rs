@@ -7,6 +7,7 @@ use crate::conformal::{ConformalMap, InteriorPoint, PerSide, PinError, Pins, Pre
 use crate::drawing::carried_fraction;
 use crate::language::{Message, key};
 use crate::model::Model;
+use crate::model::pins_seen::PinsSeen;
 use crate::model::side::Next;
 use crate::session::{Command, OutlineSpec, SidePoints, Touched};
 use std::sync::{Arc, Weak};
@@ -21,6 +22,11 @@ pub(super) struct Pinned {
     followed: Option<Followed>,
     /// Why the last ones determine no map.
     error: Option<(Side, Message)>,
+    /// Whether that is a move of the pin in hand, which the end of the drag undoes.
+    is_refused_in_hand: bool,
+    /// Whether a dot is in hand.
+    is_held: bool,
+    pub(super) seen: PinsSeen,
 }
 
 /// Points that were computed from pins.
@@ -62,6 +68,7 @@ impl Pinned {
             last_good: exchanged(&self.last_good),
             followed: None,
             error: self.error.take(),
+            ..Self::default()
         };
     }
 
@@ -92,7 +99,16 @@ impl Pinned {
         }
     }
 
+    /// Notes whether a dot is in hand; when it is let go, the message that it cannot go where it was dragged ends.
+    pub fn hold(&mut self, is_held: bool) {
+        if !is_held && std::mem::take(&mut self.is_refused_in_hand) {
+            self.error = None;
+        }
+        self.is_held = is_held;
+    }
+
     fn refuse(&mut self, error: &PinError, beside: Side) {
+        self.is_refused_in_hand = false;
         self.error = Some((error.side().unwrap_or(beside), Message::from(error)));
     }
 }
@@ -128,23 +144,14 @@ impl Model {
         self.pins_with(Side::Source, start + 0.5 * length)
     }
 
-    /// The distance between each pin's image and its target, in the target's units; `None` without pins or while the map
-    /// is computed.
-    pub fn pin_misses(&self) -> Option<Vec<f64>> {
-        Some(self.pins()?.misses(self.full_map()?))
-    }
-
-    /// Where the map carries the source's pins: fractions of the target's boundary; `None` where no pin is missed by
-    /// construction, with three of them, or while the map is computed.
-    pub fn missed_pins(&self) -> Option<Vec<f64>> {
-        let pins = self.pins().filter(|pins| pins.pairs().len() > 3)?.pairs();
-        let map = self.full_map()?;
-        Some(pins.iter().map(|pair| map.boundary_image(Side::Source, pair.source)).collect())
-    }
-
     /// The map of the session's sides that is shown, not the coarse one; `None` while it is computed.
-    fn full_map(&self) -> Option<&ConformalMap> {
+    pub(super) fn full_map(&self) -> Option<&ConformalMap> {
         self.fine.map().or(self.shown.map.as_ref()).filter(|_| !self.is_pending())
+    }
+
+    /// Notes whether a dot is dragged.
+    pub fn hold_dot(&mut self, is_held: bool) {
+        self.pinned.hold(is_held);
     }
 
     /// Lets pins determine the map, or the points again.
@@ -164,6 +171,7 @@ impl Model {
             }
             Some(Err(error)) => {
                 self.pinned.refuse(&error, side);
+                self.pinned.is_refused_in_hand = self.pinned.is_held;
                 Touched::NOTHING
             }
             None => Touched::NOTHING,

@@ -205,3 +205,55 @@ fn a_reshaped_outline_carries_its_pins_and_a_mirrored_one_lets_them_go() {
     rest(&mut model);
     assert_eq!(model.pins(), None);
 }
+
+#[test]
+fn a_pin_that_cannot_go_where_it_is_dragged_is_said_until_it_is_let_go() {
+    let mut model = model(KernelMode::Adjoint);
+    let pins = pin(&mut model);
+    let beyond = Command::MovePin { pin: 0, side: Side::Source, fraction: pins.pairs()[1].source + 0.01 };
+    model.hold_dot(true);
+    model.dispatch(beyond.clone(), 0.0);
+    model.hold_dot(true);
+    assert!(model.map_error().is_some() && model.pins() == Some(&pins));
+    model.hold_dot(false);
+    assert_eq!(model.map_error(), None, "the pin is where it was");
+    model.dispatch(beyond, 0.0);
+    model.hold_dot(false);
+    assert!(model.map_error().is_some(), "by a key it is said until the next change");
+}
+
+#[test]
+fn misses_and_places_are_those_of_the_present_pins() {
+    let mut model = model(KernelMode::Adjoint);
+    let pins = pin(&mut model);
+    let domain = std::sync::Arc::clone(model.domain(Side::Target).unwrap());
+    let place = |at: f64| domain.samples().position(domain.samples().at_fraction(at)).extend(0.0);
+    let expected: Vec<_> = pins.pairs().iter().map(|pair| place(pair.target)).collect();
+    assert_eq!(model.pin_places(Side::Target), expected);
+    assert_eq!((model.pin_misses().map(<[f64]>::len), model.missed_pins()), (Some(3), None));
+    model.dispatch(Command::SetPins(model.pins_with_one_more()), 0.0);
+    assert_eq!(model.pin_misses(), None, "not those of before");
+    rest(&mut model);
+    assert_eq!((model.pin_misses().unwrap().len(), model.missed_pins().unwrap().len()), (4, 4));
+    model.dispatch(Command::SetPins(None), 0.0);
+    rest(&mut model);
+    assert!(model.pin_misses().is_none() && model.pin_places(Side::Target).is_empty());
+}
+
+#[test]
+fn drawings_show_the_pins_with_their_numbers_in_place_of_the_points() {
+    use crate::export::FileFormat;
+    use crate::model::export::{FileRequest, file};
+    let mut model = model(KernelMode::Adjoint);
+    let drawn = |model: &Model| {
+        let request = FileRequest { format: FileFormat::Svg, side: None, unit: false, corners: false };
+        String::from_utf8(file(model, request, None).unwrap().unwrap().bytes).unwrap()
+    };
+    let count = |text: &str, class: &str| text.matches(&format!("class=\"{class}\"")).count();
+    let before = drawn(&model);
+    assert_eq!(["pin", "interior", "boundary"].map(|class| count(&before, class)), [0, 2, 2]);
+    pin(&mut model);
+    let after = drawn(&model);
+    assert_eq!(["pin", "interior", "boundary"].map(|class| count(&after, class)), [6, 0, 0]);
+    assert_eq!(after.matches(">3</text>").count(), 2);
+}

@@ -56,6 +56,7 @@ impl Model {
         if !self.is_pending() {
             self.estimate(dragging);
         }
+        self.see_pins();
         changes
     }
 

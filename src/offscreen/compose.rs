@@ -66,6 +66,8 @@ pub struct SurfacePart<'a> {
     pub camera: OrbitCamera,
     /// The interior and the boundary point.
     pub handles: [DVec3; 2],
+    /// The pins in their place; empty: there are none.
+    pub pins: &'a [DVec3],
     /// The codes of its triangles, and how they are shown.
     pub cells: Option<(&'a [CellCode], CellStyle)>,
 }
@@ -99,11 +101,15 @@ impl<'a> ScenePart<'a> {
         match self {
             Self::Plane(PlanarPart { panel, .. }) => Marks {
                 line: hatched(panel.boundary, panel.unresolved),
-                plane: radius_px.map(|radius| handles(panel, radius).to_vec()).unwrap_or_default(),
+                plane: radius_px.map(|radius| handles(panel, radius)).unwrap_or_default(),
                 ..Marks::default()
             },
             Self::Space(part) => {
-                let dots = |radius| surface_handles(part.surface, part.handles, &part.camera, radius).to_vec();
+                let dot = |place, colour, radius| surface_handle(part.surface, place, &part.camera, (colour, radius));
+                let dots = |radius| {
+                    let colored = dots(part.handles, part.pins.iter().copied());
+                    colored.into_iter().map(|(place, colour)| dot(place, colour, radius)).collect()
+                };
                 Marks { space: radius_px.map(dots).unwrap_or_default(), ..Marks::default() }
             }
         }
@@ -117,8 +123,15 @@ impl<'a> ScenePart<'a> {
     }
 }
 
-fn handles(panel: &Panel<'_>, radius_px: f32) -> [Handle; 2] {
-    [0, 1].map(|k| Handle { position: panel.handles[k], colour: HANDLE_COLORS[k], radius_px })
+fn handles(panel: &Panel<'_>, radius_px: f32) -> Vec<Handle> {
+    let dots = dots(panel.handles, panel.pins.iter().map(|pin| pin.truncate()));
+    dots.into_iter().map(|(position, colour)| Handle { position, colour, radius_px }).collect()
+}
+
+/// The dots of a side with their colors: the interior and the boundary point, or the pins.
+fn dots<P>(points: [P; 2], pins: impl Iterator<Item = P>) -> Vec<(P, [f32; 4])> {
+    let pins: Vec<_> = pins.map(|pin| (pin, HANDLE_COLORS[1])).collect();
+    if pins.is_empty() { points.into_iter().zip(HANDLE_COLORS).collect() } else { pins }
 }
 
 fn viewport<'a>(part: &PlanarPart<'a>, marks: &'a Marks, look: &Look<'a>) -> SceneViewport<'a> {
@@ -160,9 +173,15 @@ pub fn surface_handles(
     camera: &OrbitCamera,
     radius_px: f32,
 ) -> [SurfaceHandle; 2] {
-    [0, 1].map(|k| {
-        let position = places[k];
-        let hidden = surface.tree().hides(camera.eye(), position);
-        SurfaceHandle { position, hidden, colour: HANDLE_COLORS[k], radius_px }
-    })
+    [0, 1].map(|k| surface_handle(surface, places[k], camera, (HANDLE_COLORS[k], radius_px)))
+}
+
+/// A dot on a surface, fainter where it is hidden, of this color and radius.
+fn surface_handle(
+    surface: &MeshedSurface,
+    position: DVec3,
+    camera: &OrbitCamera,
+    (colour, radius_px): ([f32; 4], f32),
+) -> SurfaceHandle {
+    SurfaceHandle { position, hidden: surface.tree().hides(camera.eye(), position), colour, radius_px }
 }

@@ -42,10 +42,10 @@ impl Offscreen {
             let cells = self.cells(side).and_then(in_the_plane);
             return Some(ScenePart::Plane(PlanarPart { panel: self.panel(side)?, cells }));
         };
-        let OffscreenSurface { surface, triangles, coordinates, points } = surface;
+        let OffscreenSurface { surface, triangles, coordinates, points, pins } = surface;
         let camera = camera.or_else(|| self.camera(side, shot.aspect()))?;
         let cells = self.cells(side).map(|cells| (cells.codes, cells.style));
-        Some(ScenePart::Space(SurfacePart { surface, triangles, coordinates, camera, handles: points, cells }))
+        Some(ScenePart::Space(SurfacePart { surface, triangles, coordinates, camera, handles: points, pins, cells }))
     }
 }
 

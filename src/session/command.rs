@@ -86,6 +86,8 @@ pub enum Command {
     SetWireframe(bool),
     SetPlots(bool),
     SetComparison(Comparison),
+    /// Shows the symmetries of the outlines, which then catch dragged points.
+    SetSymmetries(bool),
     /// Exchanges source and target.
     Swap,
     /// Replaces the whole session.
@@ -115,7 +117,7 @@ impl Command {
             | Self::SetTiling(_) => Touched::PATTERN,
             Self::SetColouring(_) | Self::SetWireframe(_) | Self::SetHoles { .. } => Touched::COLOURS,
             Self::SetPlots(_) => Touched::PLOTS,
-            Self::SetComparison(_) | Self::SetRegion(_) => Touched::COMPARISON,
+            Self::SetComparison(_) | Self::SetRegion(_) | Self::SetSymmetries(_) => Touched::COMPARISON,
             Self::Open(_) => Touched::EVERYTHING,
         }
     }
@@ -184,6 +186,7 @@ impl Session {
             Command::SetPlots(open) => self.display.plots = open,
             Command::SetComparison(comparison) => self.display.comparison = comparison,
             Command::SetRegion(region) => self.region = region.into_iter().map(Dab::rounded).collect(),
+            Command::SetSymmetries(shown) => self.display.symmetries = shown,
             Command::Swap => {
                 self.sides.swap();
                 self.region.clear();

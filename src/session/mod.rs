@@ -198,6 +198,11 @@ impl Session {
         self.display.comparison
     }
 
+    /// Whether the symmetries of the outlines are drawn, and catch dragged points.
+    pub fn symmetries(&self) -> bool {
+        self.display.symmetries
+    }
+
     /// The number of points of its loaded outlines.
     pub fn loaded_points(&self) -> usize {
         self.sides.iter().map(|(_, side)| side.domain.outline.loaded_points()).sum()

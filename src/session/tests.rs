@@ -198,6 +198,7 @@ fn commands() -> Vec<Command> {
         Command::SetPlots(true),
         Command::SetComparison(Comparison::Both),
         Command::SetRegion(vec![Dab { middle: DVec3::new(0.1, 0.2, 0.0), radius: 0.3 }]),
+        Command::SetSymmetries(true),
         Command::Swap,
         Command::CloseSurface(Side::Target),
         Command::Open(Box::default()),
@@ -229,6 +230,8 @@ fn differences(a: &Session, b: &Session) -> Touched {
         (a.display.colouring != b.display.colouring || a.display.wireframe != b.display.wireframe, Touched::COLOURS),
         (a.display.plots != b.display.plots, Touched::PLOTS),
         (a.display.comparison != b.display.comparison || a.region != b.region, Touched::COMPARISON),
+        (a.display.comparison != b.display.comparison, Touched::COMPARISON),
+        (a.display.symmetries != b.display.symmetries, Touched::COMPARISON),
     ];
     parts.into_iter().filter(|(differs, _)| *differs).fold(Touched::NOTHING, |all, (_, part)| all | part)
 }

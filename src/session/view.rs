@@ -21,6 +21,9 @@ pub(super) struct Display {
     pub(super) wireframe: bool,
     pub(super) plots: bool,
     pub(super) comparison: Comparison,
+    /// Whether the symmetries of the outlines are drawn, and catch dragged points; left out where they do not.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub(super) symmetries: bool,
     /// Where the image lies; left out where it is the default, as sessions had none before.
     #[serde(skip_serializing_if = "PicturePlacement::is_default")]
     pub(super) picture: PicturePlacement,
@@ -45,6 +48,7 @@ impl Default for Display {
             wireframe: false,
             plots: false,
             comparison: Comparison::default(),
+            symmetries: false,
             picture: PicturePlacement::default(),
             tiling: TilingPattern::default(),
         }

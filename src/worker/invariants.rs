@@ -88,7 +88,7 @@ impl From<&OutlineSpec> for StudiedOutline {
 }
 
 impl StudiedOutline {
-    fn spec(&self) -> Result<OutlineSpec, Message> {
+    pub(super) fn spec(&self) -> Result<OutlineSpec, Message> {
         match self {
             Self::Preset(preset) => Ok(OutlineSpec::Preset(*preset)),
             Self::Points { points, form } => {

@@ -10,6 +10,7 @@ mod packed;
 mod rehearsal;
 mod sketch;
 mod study;
+mod symmetry;
 mod taken;
 mod transfer;
 
@@ -20,6 +21,7 @@ pub use packed::{packed, unpacked};
 pub use rehearsal::rehearsal;
 pub use sketch::{Place, Sketch};
 pub use study::{Advance, Finding, Study};
+pub use symmetry::FoundSymmetries;
 pub use taken::{Corner, Taken};
 pub use transfer::Transfer;
 

@@ -1,14 +1,15 @@
 //! Longer computations besides the map: rows of the paper's tables, of its convergence figure, and of the plot of
-//! accuracy; the invariants of an outline; the formula of a map.
+//! accuracy; the invariants and the symmetries of an outline; the formula of a map.
 //!
 //! A study is requested row by row, so that finished rows can be shown and the others canceled.
 
 use super::formula::{FormulaTask, FoundFormula};
-use super::invariants::{FoundInvariants, InvariantsTask};
+use super::invariants::{FoundInvariants, InvariantsTask, StudiedOutline};
+use super::symmetry::FoundSymmetries;
 use crate::figures::{BenchRow, ConvergenceRow, ConvergenceStudy, Detail, FigureError, LadderRow, Measurement, Rung};
 use crate::language::{Message, key};
 
-/// One row of a study, the invariants of an outline, or the formula of a map.
+/// One row of a study, the invariants or the symmetries of an outline, or the formula of a map.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Study {
@@ -31,6 +32,8 @@ pub enum Study {
     },
     /// The conformal invariants of an outline.
     Invariants(Box<InvariantsTask>),
+    /// The symmetries of an outline.
+    Symmetry(Box<StudiedOutline>),
     /// The file of a map as a formula.
     Formula(Box<FormulaTask>),
 }
@@ -47,6 +50,8 @@ pub enum Finding {
     Ladder(#[serde(with = "ladder_row")] Box<LadderRow>),
     /// The conformal invariants of an outline.
     Invariants(Box<FoundInvariants>),
+    /// The symmetries of an outline.
+    Symmetry(Box<FoundSymmetries>),
     /// The file of a map as a formula.
     Formula(Box<FoundFormula>),
     /// The share that is done; more findings of the same study follow.
@@ -107,6 +112,9 @@ impl Study {
             Self::Invariants(task) => {
                 task.run().map_or_else(Finding::Failed, |found| Finding::Invariants(Box::new(found)))
             }
+            Self::Symmetry(outline) => {
+                outline.symmetries().map_or_else(Finding::Failed, |found| Finding::Symmetry(Box::new(found)))
+            }
             Self::Formula(task) => match task.run(report) {
                 Ok(found) => Finding::Formula(Box::new(found?)),
                 Err(reason) => Finding::Failed(reason),
@@ -121,7 +129,7 @@ impl Study {
                 Some(measurement) => Finding::Bench(measurement),
                 None => Finding::Failed(key::no_such_row().into()),
             },
-            Self::Invariants(_) | Self::Formula(_) => Finding::Failed(key::no_such_row().into()),
+            Self::Invariants(_) | Self::Symmetry(_) | Self::Formula(_) => Finding::Failed(key::no_such_row().into()),
             Self::Ladder { rung } => Finding::Ladder(Box::new(rung.measure(1)?)),
             Self::Convergence { m } => Finding::Convergence(ConvergenceStudy::new(Detail::Paper)?.rows(m)?.to_vec()),
         })

@@ -3,6 +3,7 @@
 //! A drag keeps the offset from the pointer to the dot, so that the dot does not jump when it is grabbed.
 //! The nearest dot within [`GRAB_RADIUS`] is hit; a tie goes to the interior point.
 
+use crate::app::input::snapping::Catch;
 use crate::app::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR};
 use crate::conformal::Side;
 use crate::geometry::DVec2;
@@ -120,6 +121,10 @@ pub struct HandleState {
     pub probe_grip: Option<Vec2>,
     /// Whether this circle has the keyboard focus.
     pub is_probe_focused: bool,
+    /// The corners that may catch the dragged boundary dot, once they are needed.
+    pub corners: Option<Vec<DVec2>>,
+    /// What has caught the dot that was dragged last, until another one is grabbed.
+    pub caught: Option<(Handle, Catch)>,
     /// The pulsing dot and the start of its pulse, in seconds.
     pulse: Option<(Handle, f64)>,
     /// Whether a dot was ever dragged or focused; from then on the hint is not shown.
@@ -130,6 +135,7 @@ impl HandleState {
     /// Starts dragging `handle`, and the pulse of its partner.
     pub fn grab(&mut self, handle: Handle, position: Pos2, pointer: Pos2, now: f64) {
         self.grip = Some(Grip { handle, offset: position - pointer });
+        (self.corners, self.caught) = (None, None);
         self.pulse = Some((handle.partner(), now));
         self.ever_dragged = true;
     }
@@ -138,6 +144,11 @@ impl HandleState {
     pub fn release(&mut self) {
         self.grip = None;
         self.probe_grip = None;
+    }
+
+    /// What has caught the dot that is being dragged.
+    pub fn held_catch(&self) -> Option<(Handle, Catch)> {
+        self.caught.filter(|(handle, _)| self.is_held(*handle))
     }
 
     /// Whether `handle` is drawn larger: hovered, dragged or focused.

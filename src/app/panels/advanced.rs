@@ -1,12 +1,12 @@
 //! The folded part of the column, whatever names a method: direction, extension, kernel, solver, comparisons,
-//! interpretation, resolution and invariants. Each term has a "?" that explains it in plain words.
+//! symmetries, interpretation, resolution and invariants. Each term has a "?" that explains it in plain words.
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::{Control, guarded};
 use crate::app::input::preferences::Habit;
 use crate::app::language::words;
 use crate::app::overlays;
-use crate::app::panels::{interpretation, invariants_panel, method, surface_panel};
+use crate::app::panels::{interpretation, invariants_panel, method, surface_panel, symmetry_panel};
 use crate::app::theme::explained::explained_heading;
 use crate::app::theme::widgets::{Segment, captioned_slider, chevron, segmented};
 use crate::app::theme::{ROW_HEIGHT, control_height};
@@ -51,7 +51,10 @@ fn controls(ui: &mut Ui, model: &Model, actions: &mut Actions) {
         actions.extend(direction.map(|direction| Action::Session(Command::SetDirection(direction))));
     }
     guarded(ui, Control::Method, |ui| method::show(ui, model, actions));
-    guarded(ui, Control::Comparison, |ui| overlays::panel::show(ui, model, actions));
+    guarded(ui, Control::Comparison, |ui| {
+        overlays::panel::show(ui, model, actions);
+        symmetry_panel::show(ui, model, actions);
+    });
     for side in Side::BOTH {
         if let Some(settings) = model.outline_settings(side) {
             ui.push_id(side, |ui| {

@@ -6,7 +6,7 @@
 //! | which map: by points or by pins | `pins_panel` |
 //! | the best map of the family | `best_panel` |
 //! | the boundary loops of a surface | `loops_panel` |
-//! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `invariants_panel` |
+//! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `symmetry_panel`, `invariants_panel` |
 //! | the welcome of the first visit | `welcome` |
 //! | the hyperbolic tiling; the placement of the texture's picture | `tiling_panel`, `picture_panel` |
 //! | title, buttons, messages and legend of a picture | `header` |
@@ -28,5 +28,6 @@ pub mod shapes;
 pub mod side_panel;
 mod sketch;
 pub mod surface_panel;
+pub mod symmetry_panel;
 mod tiling_panel;
 pub mod welcome;

@@ -50,7 +50,7 @@ fn list(ui: &mut Ui, model: &Model, pins: &Pins, actions: &mut Actions) {
     let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most).id_salt("pins");
     area.auto_shrink([false, true]).show(ui, |ui| {
         for pin in 0..pins.pairs().len() {
-            ui.push_id(pin, |ui| row(ui, pins, pin, misses.as_ref().map(|misses| misses[pin]), actions));
+            ui.push_id(pin, |ui| row(ui, pins, pin, misses.map(|misses| misses[pin]), actions));
         }
     });
     let one_more = model.pins_with_one_more();

@@ -3,6 +3,7 @@
 mod best;
 pub mod pointed;
 pub mod stats;
+mod symmetries;
 
 use super::theme::{self, Palette};
 use crate::app::language::words;

@@ -2,6 +2,7 @@
 
 use crate::app::editing::EditingStats;
 use crate::app::status::best::BestStats;
+use crate::app::status::symmetries::SymmetryStats;
 use crate::conformal::{FrameTimings, KernelMode, PerSide, PrepareTimings, Side};
 use crate::geometry::DVec2;
 use crate::language::Message;
@@ -37,6 +38,8 @@ pub struct HandlePositions {
     pub y2: Option<[f32; 2]>,
     /// The source's and the target's pins; none: the points determine the map.
     pub pins: [Vec<[f32; 2]>; 2],
+    /// What has caught the dot that was dragged last, in words.
+    pub caught: Option<String>,
 }
 
 /// The result of a map through the disk; arrays are by source and target.
@@ -152,6 +155,8 @@ pub struct OverlayStats {
     pub best: BestStats,
     /// The invariants of both sides, where they are asked for and there; a text is why not.
     pub invariants: [Option<Result<FoundInvariants, String>>; 2],
+    /// The symmetries of both outlines, where they are shown and found.
+    pub symmetries: [Option<SymmetryStats>; 2],
 }
 
 /// What the screen knows and the model does not.
@@ -302,7 +307,7 @@ fn map(model: &Model) -> MapStats {
         unresolved_area: model.unresolved_area(),
         unrefined: model.unrefined().map(Message::english),
         error_estimate: model.error_bounds(),
-        pin_misses: model.pin_misses(),
+        pin_misses: model.pin_misses().map(<[f64]>::to_vec),
         boundary_checksum: boundary_checksum(model),
     }
 }
@@ -330,6 +335,7 @@ fn overlays(model: &Model) -> OverlayStats {
         walks: (walks.count(), walks.deviation()),
         best: BestStats::of(model),
         invariants: Side::BOTH.map(|side| Some(model.invariants(side)?.clone().map_err(|reason| reason.english()))),
+        symmetries: Side::BOTH.map(|side| Some(SymmetryStats::of(&model.symmetries(side)?.as_ref().ok()?.symmetries))),
     }
 }
 
@@ -372,7 +378,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 49] = [
+    const KEYS: [&str; 50] = [
         "backend",
         "best",
         "boundary_checksum",
@@ -415,6 +421,7 @@ mod tests {
         "source",
         "spoken",
         "surface_ms",
+        "symmetries",
         "target",
         "triangles",
         "undo",

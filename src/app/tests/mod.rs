@@ -12,6 +12,7 @@ mod locks;
 mod panels;
 mod playing;
 mod surfaces;
+mod symmetry;
 mod tour;
 
 use super::*;

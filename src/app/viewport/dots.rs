@@ -101,7 +101,9 @@ pub fn paint(ui: &Ui, painter: &Painter, handle: Handle, dot: Dot, handles: &Han
 /// The symbol and the coordinates of a dot; the decimal comma needs a semicolon between them.
 pub fn coordinates(handle: Handle, place: &[f64]) -> String {
     let between = if language::current() == Language::German { "; " } else { ", " };
-    let place = place.iter().map(|coordinate| number(*coordinate, 3)).collect::<Vec<_>>().join(between);
+    // −0.0001 is written as 0
+    let written = |coordinate: &f64| number((1e3 * coordinate).round() / 1e3 + 0.0, 3);
+    let place = place.iter().map(written).collect::<Vec<_>>().join(between);
     format!("{} = ({place})", handle.symbol())
 }
 

@@ -8,9 +8,11 @@
 //! | the state of both pictures | `pictures` |
 //! | a side's picture: of a plane or of a surface | `picture` |
 //! | dragging and painting the dots | `dots` |
-//! | adding, removing and numbering pins | `pins` |
+//! | which dots there are, and what moves them | `moves` |
+//! | adding pins, and their misses | `pins` |
 //! | the brush of a region and the landscape of the best map | `best` |
 //! | the marks at an outline's corners | `corners` |
+//! | axes and centers of symmetry | `symmetry` |
 //! | moving the texture's picture | `picture_gestures` |
 //! | a small circle with a cross, and its image | `probe` |
 //! | uploads to the GPU and drawing | `gpu`, `gpu_extension`, `cells` |
@@ -24,6 +26,7 @@ pub mod dots;
 pub mod gpu;
 mod gpu_extension;
 pub mod legend;
+mod moves;
 pub mod picture;
 mod picture_gestures;
 pub mod pictures;
@@ -31,5 +34,6 @@ mod pins;
 pub mod planar;
 pub mod probe;
 pub mod surface;
+mod symmetry;
 pub mod uv;
 pub mod view;

@@ -1,18 +1,13 @@
-//! Pins in the pictures: their numbers, how far they are missed, the double click that adds one, and the keys that move or remove one.
+//! Pins in the pictures: how far they are missed, and the double click that adds one.
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::handles::HandleKind;
 use crate::app::input::locks::Locks;
 use crate::app::theme::BOUNDARY_COLOUR;
-use crate::conformal::{Pins, Side};
+use crate::conformal::Side;
 use crate::model::Model;
 use crate::session::Command;
 use egui::{Color32, CursorIcon, Painter, Pos2, Response, Stroke, Ui};
-
-/// The pins of a side as dots, with their fractions of the boundary's length.
-pub fn numbered(pins: &Pins, side: Side) -> impl Iterator<Item = (HandleKind, f64)> {
-    pins.pairs().iter().zip(0..).map(move |(pair, pin)| (HandleKind::Pin(pin), pair[side]))
-}
 
 /// The distance on the screen from which a pin is drawn as missed, in points.
 const MISSED: f32 = 2.0;
@@ -22,7 +17,7 @@ const MISSED: f32 = 2.0;
 pub fn paint_misses(painter: &Painter, side: Side, model: &Model, to_screen: impl Fn(f64) -> Option<Pos2>) {
     let (Some(pins), Some(images), Side::Target) = (model.pins(), model.missed_pins(), side) else { return };
     for (pair, image) in pins.pairs().iter().zip(images) {
-        let (Some(pin), Some(image)) = (to_screen(pair.target), to_screen(image)) else { continue };
+        let (Some(pin), Some(image)) = (to_screen(pair.target), to_screen(*image)) else { continue };
         if pin.distance(image) < MISSED {
             continue;
         }
@@ -52,15 +47,4 @@ pub fn add(
         actions.push(Action::Session(Command::SetPins(Some(pins))));
     }
     true
-}
-
-/// The command that moves a pin along its boundary.
-pub fn stepped(model: &Model, side: Side, pin: usize, step: f64) -> Option<Command> {
-    let fraction = model.pins()?.pairs().get(pin)?[side] + step;
-    Some(Command::MovePin { pin, side, fraction })
-}
-
-/// The command that removes a pin; `None` if fewer than three would remain.
-pub fn removed(model: &Model, pin: usize) -> Option<Command> {
-    model.pins()?.without(pin).ok().map(|pins| Command::SetPins(Some(pins)))
 }

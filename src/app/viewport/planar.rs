@@ -7,8 +7,10 @@
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::handles::{DOT_RADIUS, Handle, HandleKind, HandleState, Places, Pointed};
 use crate::app::input::keyboard_navigation;
-use crate::app::input::keyboard_navigation::{EyeMove, KeyStep};
+use crate::app::input::keyboard_navigation::EyeMove;
 use crate::app::input::locks::{Control, Locks};
+use crate::app::input::snapping;
+use crate::app::input::snapping::Catch;
 use crate::app::theme::Palette;
 use crate::app::theme::widgets::caption_font;
 use crate::app::viewport::best;
@@ -16,10 +18,12 @@ use crate::app::viewport::corners;
 use crate::app::viewport::dots;
 use crate::app::viewport::dots::Dot;
 use crate::app::viewport::gpu::ViewportCallback;
+use crate::app::viewport::moves;
 use crate::app::viewport::picture::Picture;
 use crate::app::viewport::picture_gestures;
 use crate::app::viewport::pins;
 use crate::app::viewport::probe;
+use crate::app::viewport::symmetry;
 use crate::app::viewport::view::View;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
@@ -27,8 +31,7 @@ use crate::language::{key, tr};
 use crate::model::Model;
 use crate::platform::STAGES_SHOWN_AFTER;
 use crate::render::{Pace, PlanarFrame, TextureStyle};
-use crate::session::Command;
-use egui::{Align2, Color32, CornerRadius, CursorIcon, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2};
+use egui::{Align2, Color32, CornerRadius, CursorIcon, Rect, Response, Sense, Stroke, StrokeKind, Ui, vec2};
 
 /// Zoom per point of scrolling: one notch of a wheel (50 points) zooms by 13 %.
 pub const ZOOM_PER_POINT: f32 = 0.0025;
@@ -116,13 +119,10 @@ pub fn paint_image_mark(ui: &Ui, view: &View, image: DVec2) {
 
 /// The dots of a side: its two points, or its pins.
 fn points(side: Side, model: &Model) -> Vec<(HandleKind, DVec2)> {
-    if let (Some(pins), Some(domain)) = (model.pins(), model.domain(side)) {
-        let samples = domain.samples();
-        let place = |fraction| samples.position(samples.at_fraction(fraction));
-        return pins::numbered(pins, side).map(|(kind, fraction)| (kind, place(fraction))).collect();
-    }
-    let points = [(HandleKind::Interior, model.interior(side)), (HandleKind::Boundary, model.anchor(side))];
-    points.into_iter().filter_map(|(kind, point)| Some((kind, point?))).collect()
+    moves::dots(model, side, [model.interior(side), model.anchor(side)], |fraction| {
+        let samples = model.domain(side)?.samples();
+        Some(samples.position(samples.at_fraction(fraction)))
+    })
 }
 
 /// Where the dots of a side are on the screen.
@@ -144,7 +144,11 @@ pub fn drag_dots(
     dots::grab_and_release(ui, response, side, &places, handles);
     drag_handle(ui, side, model, view, handles, actions);
     if let Some(key_step) = keyboard_navigation::of_dots(ui, side, &places, handles) {
-        actions.extend(stepped(side, model, view, key_step).map(Action::Session));
+        let interior = |step| {
+            let at = view.to_world(view.to_screen(model.interior(side)?) + step);
+            model.interior_near(side, at).map(Into::into)
+        };
+        actions.extend(moves::stepped(model, side, key_step, interior).map(Action::Session));
     }
 }
 
@@ -176,35 +180,36 @@ pub fn pinch(ui: &Ui, response: &Response, view: &mut View) -> bool {
     true
 }
 
-fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState, actions: &mut Actions) {
-    let Some(grip) = handles.grip.filter(|grip| grip.handle.side == side) else { return };
-    let (moved, pointer) = ui.input(|input| (input.pointer.delta() != Vec2::ZERO, input.pointer.interact_pos()));
-    let Some(pointer) = pointer.filter(|_| moved) else { return };
-    let at = view.to_world(pointer + grip.offset);
-    let command = match grip.handle.kind {
-        HandleKind::Interior => {
-            model.interior_near(side, at).map(|point| Command::MoveInterior { side, point: point.into() })
-        }
-        HandleKind::Boundary => model.anchor_near(side, at).map(|fraction| Command::MoveAnchor { side, fraction }),
-        HandleKind::Pin(pin) => {
-            model.anchor_near(side, at).map(|fraction| Command::MovePin { pin: pin.into(), side, fraction })
-        }
-    };
-    actions.extend(command.map(Action::Session));
+fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &View, handles: &mut HandleState, actions: &mut Actions) {
+    let Some((handle, at)) = moves::dragged(ui, side, handles) else { return };
+    let pointed = view.to_world(at);
+    let catch = caught(ui, handle, pointed, model, view, handles);
+    handles.caught = catch.map(|catch| (handle, catch));
+    let at = catch.map_or(pointed, |catch| catch.place);
+    let interior = || model.interior_near(side, at).map(Into::into);
+    actions.extend(moves::moved(handle, interior, || model.anchor_near(side, at)).map(Action::Session));
 }
 
-fn stepped(side: Side, model: &Model, view: &View, key_step: KeyStep) -> Option<Command> {
-    match key_step {
-        KeyStep::Interior(step) => {
-            let at = view.to_world(view.to_screen(model.interior(side)?) + step);
-            model.interior_near(side, at).map(|point| Command::MoveInterior { side, point: point.into() })
-        }
-        KeyStep::Boundary(step) => {
-            Some(Command::MoveAnchor { side, fraction: model.session().side(side).anchor() + step })
-        }
-        KeyStep::Pin(pin, step) => pins::stepped(model, side, pin, step),
-        KeyStep::RemovePin(pin) => pins::removed(model, pin),
+/// What catches a dot that is dragged to `at`.
+fn caught(
+    ui: &Ui,
+    Handle { side, kind }: Handle,
+    at: DVec2,
+    model: &Model,
+    view: &View,
+    handles: &mut HandleState,
+) -> Option<Catch> {
+    let found = model.symmetries(side).and_then(|found| found.as_ref().ok());
+    let reach = snapping::reach(ui);
+    if kind == HandleKind::Interior {
+        let distance = |place| view.to_screen(place).distance(view.to_screen(at));
+        let is_inside = |catch: &Catch| model.interior_near(side, catch.place) == Some(catch.place);
+        return snapping::of_interior(found?, at, reach, distance).find(is_inside);
     }
+    let samples = model.domain(side)?.samples();
+    let on_boundary = view.to_screen(samples.position(samples.nearest(at)));
+    let corners = handles.corners.get_or_insert_with(|| model.corner_places(side));
+    snapping::of_boundary(found, corners, reach, |place| view.to_screen(place).distance(on_boundary))
 }
 
 /// Pans by dragging, unless something in the picture is `held`, and zooms by scrolling. A double-click fits the outline
@@ -246,6 +251,7 @@ pub fn paint_mesh(ui: &Ui, side: Side, view: &View, style: Option<&TextureStyle>
 
 /// Draws the dots, over all other content of the viewport.
 pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState) {
+    symmetry::paint(ui, side, model, view, handles);
     corners::paint(ui, side, model, view);
     let painter = ui.painter_at(view.rect);
     pins::paint_misses(&painter, side, model, |fraction| {
@@ -254,7 +260,12 @@ pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Han
     });
     for (kind, point) in points(side, model).into_iter().rev() {
         let handle = Handle { side, kind };
-        let words = || dots::coordinates(handle, &point.to_array());
+        let words = || {
+            let catch = handles.held_catch().filter(|(held, _)| *held == handle);
+            let found = model.symmetries(side).and_then(|found| found.as_ref().ok());
+            let caught = catch.and_then(|(_, catch)| catch.by.words(found));
+            dots::coordinates(handle, &point.to_array()) + &caught.map(|by| format!(" · {by}")).unwrap_or_default()
+        };
         dots::paint(ui, &painter, handle, Dot { place: view.to_screen(point), hidden: false }, handles, &words);
     }
 }

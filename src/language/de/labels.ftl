@@ -993,3 +993,24 @@ cube = Würfel
 icosahedron = Ikosaeder
 dodecahedron = Dodekaeder
 accessible_tiling = Das Muster ist das hyperbolische Parkett aus Vielecken mit { $sides } Ecken, { $around } um jede Ecke; das mittlere liegt am inneren Punkt.
+
+## symmetry
+
+symmetry = Symmetrie
+explain_symmetry = An einer Spiegelachse ist ein Umriss sein eigenes Spiegelbild; um den genannten Winkel um sein Zentrum gedreht, liegt er auf sich selbst. Kleine Abweichungen sind erlaubt und stehen dabei, als Anteil der Größe (des größten Abstands vom Schwerpunkt der Fläche). Eine Abbildung ist dort auch symmetrisch, wo beide Umrisse es sind und die Punkte auf ihren Achsen liegen. Beim Ziehen rasten x₁ und x₂ in Zentren und auf Achsen ein, y₁, y₂ und Pins an Enden von Achsen und in Ecken; mit der Alt-Taste bewegen sie sich frei.
+show_symmetries = Zeigen und einrasten
+show_symmetries_tooltip = Zeichnet Achsen und Zentrum jedes Umrisses; gezogene Punkte rasten dort ein (frei mit gedrückter Alt-Taste)
+no_symmetry = keine
+in_center = im Zentrum
+in_corner = in einer Ecke
+drag_with_alt = Alt beim Ziehen
+drag_with_alt_about = Der Punkt rastet nicht in Ecken, auf Symmetrieachsen oder in Zentren ein
+symmetries_of = Symmetrie: { $side }
+symmetry_axis = Achse bei { $angle }°, Abweichung { $off } %
+symmetry_turns = Drehungen um { $angle }°, Abweichung { $off } %
+symmetry_circle = Ein Kreis, Abweichung { $off } %: jede Gerade durch das Zentrum ist eine Achse
+more_axes = und { $count } weitere Achsen
+symmetry_tolerance = Bis { $share } % der Größe gilt als symmetrisch.
+on_axis = auf der Achse bei { $angle }°
+at_axis_end = am Ende der Achse bei { $angle }°
+caught_dot = { $dot } liegt { $place }.

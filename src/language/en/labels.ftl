@@ -993,3 +993,24 @@ cube = cube
 icosahedron = icosahedron
 dodecahedron = dodecahedron
 accessible_tiling = The pattern is the hyperbolic tiling by polygons with { $sides } sides, { $around } around each corner; the middle one lies at the interior point.
+
+## symmetry
+
+symmetry = Symmetry
+explain_symmetry = A mirror axis is a line at which an outline is its own mirror image; turned by the listed angle about its center, it lies on itself. Small differences are allowed, and how far an outline is off is listed, as a share of its size (its largest distance from the center of its area). A map is symmetric too where both outlines are and the points lie on their axes. While you drag, x₁ and x₂ are caught by centers and axes, y₁, y₂ and pins by the ends of axes and by corners; hold Alt to move freely.
+show_symmetries = Show and snap
+show_symmetries_tooltip = Draws the axes and the center of each outline; dragged points snap to them (hold Alt to move freely)
+no_symmetry = none
+in_center = in the center
+in_corner = in a corner
+drag_with_alt = Alt while dragging
+drag_with_alt_about = Corners, and axes and centers of symmetry, do not catch the dot
+symmetries_of = Symmetry of { $side }
+symmetry_axis = Axis at { $angle }°, off by { $off } %
+symmetry_turns = Turns by { $angle }°, off by { $off } %
+symmetry_circle = A circle, off by { $off } %: every line through the center is an axis
+more_axes = and { $count } more axes
+symmetry_tolerance = Up to { $share } % of the size counts as symmetric.
+on_axis = on the axis at { $angle }°
+at_axis_end = at an end of the axis at { $angle }°
+caught_dot = { $dot } is { $place }.

@@ -186,6 +186,9 @@ keys_of_labels! {
     tiles_at_corner_tooltip, tiling_tiles, tiling_tiles_tooltip, tiling_edges, tiling_edges_tooltip, tiling_triangles,
     tiling_triangles_tooltip, tiling_picture, tiling_picture_tooltip, hyperbolic_tiles, hyperbolic_tiles_about, tetrahedron,
     octahedron, cube, icosahedron, dodecahedron,
+    // symmetry
+    symmetry, explain_symmetry, show_symmetries, show_symmetries_tooltip, no_symmetry, in_center, in_corner,
+    drag_with_alt, drag_with_alt_about,
 }
 
 keys_of_messages! {
@@ -242,4 +245,7 @@ keys_of_messages! {
     best_already(value, count); lowest_of_landscape(value); accessible_landscape(x, y, value);
     // tiling
     accessible_tiling(sides, around);
+    // symmetry
+    symmetries_of(side); symmetry_axis(angle, off); symmetry_turns(angle, off); symmetry_circle(off); more_axes(count);
+    symmetry_tolerance(share); on_axis(angle); at_axis_end(angle); caught_dot(dot, place);
 }

@@ -127,6 +127,7 @@ pub fn panel(model: &Model, side: Side) -> Option<Panel<'_>> {
         boundary: model.shown_outline(side)?,
         unresolved: model.map().map_or(&[], |map| map.unresolved(side)),
         handles: [model.interior(side)?, model.anchor(side)?],
+        pins: model.pin_places(side),
     })
 }
 

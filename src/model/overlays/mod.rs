@@ -5,6 +5,7 @@
 pub mod disk_comparison;
 pub mod invariants;
 pub mod overlay;
+mod symmetry;
 pub mod walks;
 
 use crate::conformal::{ConformalMap, MeshedDomain, PerSide, Side};
@@ -15,6 +16,7 @@ use disk_comparison::DiskComparison;
 use invariants::InvariantsState;
 use overlay::Overlays;
 use std::sync::Arc;
+use symmetry::SymmetryState;
 use walks::Walks;
 
 /// The map on the screen and its inputs.
@@ -48,6 +50,8 @@ pub struct OverlayState {
     pub walks: Walks,
     /// The conformal invariants of the sides.
     pub invariants: InvariantsState,
+    /// The symmetries of the sides.
+    pub symmetries: SymmetryState,
     /// The coordinates of the conformal pattern.
     pub grid: DiskGrid,
     overlays: Overlays,

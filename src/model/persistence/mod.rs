@@ -254,19 +254,21 @@ impl Persistence {
         self.public.as_mut()?.not_kept(message)
     }
 
-    /// The commands that set the points of missing outlines that have been loaded.
+    /// The commands that set the points of missing outlines that have been loaded, and with the last one the pins.
     fn moves_in(&mut self, session: &Session) -> Vec<Command> {
-        let mut moves = Vec::new();
+        let (mut moves, mut pins) = (Vec::new(), None);
         self.missing.retain(|missing| {
             let &MissingOutline { side, interior, anchor, .. } = missing;
             let is_there = missing.is_named(&session.domain(side).outline);
             if is_there {
                 moves.push(Command::PlacePoints { side, points: SidePoints::Outline { interior, anchor } });
+                pins.clone_from(&missing.pins);
             }
             !is_there
         });
         if !moves.is_empty() {
             self.coming = Coming::Completed;
+            moves.extend(pins.filter(|_| self.missing.is_empty()).map(|pins| Command::SetPins(Some(pins))));
         }
         moves
     }

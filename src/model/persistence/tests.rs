@@ -1,6 +1,6 @@
 //! Steps that settle in another state, links that are only opened, outlines that are loaded later.
 
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::geometry::DVec2;
 use crate::model::persistence::public::{COPY_SECONDS, LARGE_POINTS};
 use crate::model::persistence::*;
@@ -174,6 +174,24 @@ fn with_missing() -> (Session, Decoded) {
     let decoded = link::decode(&link::encode(&session).unwrap().fragment).unwrap();
     assert_eq!(decoded.missing.len(), 1);
     (session, decoded)
+}
+
+#[test]
+fn pins_come_with_the_last_outline_that_was_missing() {
+    let pins = crate::conformal::Pins::new([[0.1, 0.2], [0.4, 0.5], [0.8, 0.9]].map(PerSide::from)).unwrap();
+    let both = Side::BOTH.map(|side| Command::SetOutline { side, outline: notched() });
+    let whole = Session::default().and(both).and([Command::SetPins(Some(pins))]);
+    let Decoded { session, missing } = link::decode(&link::encode(&whole).unwrap().fragment).unwrap();
+    assert_eq!((missing.len(), session.pins()), (2, None), "none on the disks that stand in");
+    let mut persistence = Persistence::new(session.clone(), true);
+    persistence.open_link(missing, None);
+    let mut loaded = session;
+    for side in Side::BOTH {
+        assert_eq!(loaded.pins(), None);
+        loaded.apply(Command::SetOutline { side, outline: notched() });
+        loaded = loaded.clone().and(persistence.settle(&loaded, 1.0).moves);
+    }
+    assert_eq!(loaded, whole);
 }
 
 #[test]

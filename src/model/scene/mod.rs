@@ -76,6 +76,8 @@ pub struct OffscreenSurface<'a> {
     pub coordinates: &'a [DVec2],
     /// The interior and the boundary point.
     pub points: [DVec3; 2],
+    /// The pins in their place; empty: there are none.
+    pub pins: &'a [DVec3],
 }
 
 impl Offscreen {
@@ -204,6 +206,7 @@ impl Offscreen {
             triangles: self.model.painted(side, surface),
             coordinates: pattern::surface_coordinates(&self.model, side)?,
             points: [self.model.surface_point(side)?, self.model.surface_anchor(side)?],
+            pins: self.model.pin_places(side),
         })
     }
 

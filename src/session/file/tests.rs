@@ -40,6 +40,10 @@ fn pinned() -> Session {
     solid().and([Command::SetPins(Some(pins))])
 }
 
+fn with_symmetries() -> Session {
+    Session::default().and([Command::SetSymmetries(true)])
+}
+
 fn on_source_only() -> Session {
     solid().and([Command::CloseSurface(Side::Target)])
 }
@@ -52,8 +56,14 @@ fn changed(session: &Session, change: impl FnOnce(&mut Value)) -> Result<Session
 
 #[test]
 fn what_is_written_is_read_bit_for_bit_in_the_oldest_format_that_holds_it() {
-    for (session, format) in [(Session::default(), 1), (drawn(), 1), (solid(), 2), (on_source_only(), 2), (pinned(), 2)]
-    {
+    for (session, format) in [
+        (Session::default(), 1),
+        (drawn(), 1),
+        (solid(), 2),
+        (on_source_only(), 2),
+        (pinned(), 2),
+        (with_symmetries(), 2),
+    ] {
         let text = write(&session).unwrap();
         assert!(text.starts_with(&format!("{{\n  \"riemap\": {format},\n  \"version\": {format},\n")), "{text}");
         assert_eq!(read(text.as_bytes()), Ok(session.clone()));

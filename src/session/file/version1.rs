@@ -14,6 +14,7 @@ pub(super) fn holds(session: &Session) -> bool {
     session.surface(Side::Source).is_none()
         && !session.surface(Side::Target).is_some_and(SurfaceState::chooses_loops)
         && session.picture().is_default()
+        && !session.symmetries()
         && session.pins().is_none()
         && session.region().is_empty()
         && session.display.without_tiling().1.is_none()
@@ -119,6 +120,7 @@ impl TryFrom<Version1> for Session {
                 wireframe: form.added.wireframe,
                 plots: form.added.plots,
                 comparison: form.added.comparison,
+                symmetries: false, // since format 2
                 picture: form.added.picture,
                 tiling: TilingPattern::default(),
             },

@@ -66,9 +66,18 @@ pub(super) struct Version2 {
     wireframe: bool,
     plots: bool,
     comparison: Comparison,
+    #[serde(flatten)]
+    added: Added,
+    pins: Option<Vec<PerSide<f64>>>,
+}
+
+/// What the first files of this version do not hold.
+#[derive(Deserialize)]
+struct Added {
+    #[serde(default)]
+    symmetries: bool,
     #[serde(default)]
     picture: PicturePlacement,
-    pins: Option<Vec<PerSide<f64>>>,
     #[serde(default)]
     region: Vec<Dab>,
     tiling: Option<KeptTiling>,
@@ -98,7 +107,7 @@ impl TryFrom<Version2> for Session {
         let pins = form.pins.map(Pins::new).transpose().map_err(FileError::Pins)?;
         let mut session = Self {
             pins,
-            region: form.region.into_iter().map(Dab::rounded).collect(),
+            region: form.added.region.into_iter().map(Dab::rounded).collect(),
             sides: PerSide::new(form.source.checked(Side::Source)?, form.target.checked(Side::Target)?),
             display: Display {
                 direction: form.direction,
@@ -110,11 +119,12 @@ impl TryFrom<Version2> for Session {
                 wireframe: form.wireframe,
                 plots: form.plots,
                 comparison: form.comparison,
-                picture: form.picture,
+                symmetries: form.added.symmetries,
+                picture: form.added.picture,
                 tiling: TilingPattern::default(),
             },
         };
-        if let Some(tiling) = form.tiling {
+        if let Some(tiling) = form.added.tiling {
             session.display.put_tiling(tiling);
         }
         Ok(session)

@@ -31,7 +31,7 @@ mod version1;
 mod version2;
 
 use super::{OutOfRange, OutlineSpec, Session};
-use crate::conformal::{PerSide, PinError, Side};
+use crate::conformal::{PerSide, PinError, Pins, Side};
 use crate::geometry::{DVec2, PolygonError};
 use curves::WiredCurve;
 pub(super) use envelope::{pack, unpack};
@@ -149,6 +149,8 @@ pub struct MissingOutline {
     pub interior: Option<DVec2>,
     /// The boundary point to set, as a fraction of arc length.
     pub anchor: f64,
+    /// The pins to set once no outline is missing.
+    pub pins: Option<Pins>,
 }
 
 impl MissingOutline {

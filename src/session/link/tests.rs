@@ -122,7 +122,7 @@ fn with_missing() -> Decoded {
     let interior = Some(DVec2::new(0.1, 0.2));
     Decoded {
         session,
-        missing: vec![MissingOutline { side: Side::Source, name: "long".into(), interior, anchor: 0.75 }],
+        missing: vec![MissingOutline { side: Side::Source, name: "long".into(), interior, anchor: 0.75, pins: None }],
     }
 }
 
@@ -504,4 +504,16 @@ fn a_tiling_travels_in_a_section_that_may_be_skipped() {
 /// The default session with the default tiling as its pattern.
 fn shown_by_default() -> Session {
     Session::with([Command::SetTexture(TextureKind::Tiling)])
+}
+
+/// An older program shows the same map without them.
+#[test]
+fn symmetries_travel_in_a_section_that_may_be_skipped() {
+    let session = Session::default().and([Command::SetSymmetries(true)]);
+    let link = encode(&session).unwrap().fragment;
+    assert!(link.starts_with("s=2."), "{link}");
+    assert_eq!(decode(&link).unwrap().session, session);
+    let section = |content| version2::Section { number: 11, may_be_skipped: true, content };
+    assert!(with_section(section(Vec::new())).unwrap().session.symmetries());
+    assert_eq!(with_section(section(vec![1])).unwrap_err(), LinkError::Damaged);
 }

@@ -118,8 +118,9 @@ impl Version1 {
                     wireframe,
                     plots,
                     comparison,
-                    picture: _, // in a section of version 2
-                    tiling: _,  // the same
+                    picture: _,    // in a section of version 2
+                    tiling: _,     // the same
+                    symmetries: _, // the same
                 },
             pins: _,   // a section of version 2
             region: _, // the same
@@ -160,7 +161,7 @@ impl Version1 {
                 WiredOutline::Preset(name) => (preset(&name)?, interior, anchor),
                 WiredOutline::Points { name, points } => (with_points(side, name, &points)?, interior, anchor),
                 WiredOutline::File { name } => {
-                    missing.push(MissingOutline { side, name: checked_name(name)?, interior, anchor });
+                    missing.push(MissingOutline { side, name: checked_name(name)?, interior, anchor, pins: None });
                     (OutlineSpec::Preset(STAND_IN), None, 0.0)
                 }
             };
@@ -181,6 +182,7 @@ impl Version1 {
                 wireframe: self.wireframe,
                 plots: self.plots,
                 comparison: Coded::of(self.comparison)?,
+                symmetries: false,
                 picture: PicturePlacement::default(),
             },
             pins: None,

@@ -14,6 +14,7 @@
 //! | 7 | the pins, pairs of fractions; the points of the map through them are in the link too | yes |
 //! | 8 | the hyperbolic tiling, and whether it is the pattern; to readers without it that is the conformal grid | yes |
 //! | 9 | the painted region: runs of disks or balls of one radius; it changes no map | yes |
+//! | 11 | empty: the symmetries of the outlines are shown | yes |
 
 use super::codes::Coded;
 use super::curves::WiredCurve;
@@ -43,6 +44,9 @@ const TILING: u16 = 8;
 /// The section with the painted region.
 const REGION: u16 = 9;
 
+/// The section that shows the symmetries.
+const SYMMETRIES: u16 = 11;
+
 /// A session.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Version2 {
@@ -65,6 +69,7 @@ pub(super) fn is_needed(session: &Session) -> bool {
         || session.pins().is_some()
         || !session.region().is_empty()
         || session.display.without_tiling().1.is_some()
+        || session.symmetries()
 }
 
 impl Version2 {
@@ -108,6 +113,9 @@ impl Version2 {
             let content = postcard::to_allocvec(&super::region::runs(session.region())).ok()?;
             sections.push(Section { number: REGION, may_be_skipped: true, content });
         }
+        if session.symmetries() {
+            sections.push(Section { number: SYMMETRIES, may_be_skipped: true, content: Vec::new() });
+        }
         Some(Self { first: Version1::new(session, outlines), sections })
     }
 
@@ -130,6 +138,10 @@ impl Version2 {
                 }
                 TILING => decoded.session.display.put_tiling(super::whole::<KeptTiling>(content)?),
                 REGION => decoded.session.region = super::region::dabs(super::whole(content)?),
+                SYMMETRIES => {
+                    super::whole::<()>(content)?;
+                    decoded.session.display.symmetries = true;
+                }
                 _ if *number == LOOPS.source => choose_loops(&mut decoded, Side::Source, content)?,
                 _ if *number == LOOPS.target => choose_loops(&mut decoded, Side::Target, content)?,
                 _ if *number == CURVES.source => place_curve(&mut decoded, Side::Source, content)?,
@@ -139,8 +151,9 @@ impl Version2 {
             }
         }
         if !decoded.missing.is_empty() {
-            // not on a disk that stands in for an outline; the points give the map
-            decoded.session.pins = None;
+            // not on a disk that stands in for an outline
+            let pins = decoded.session.pins.take();
+            decoded.missing.iter_mut().for_each(|outline| outline.pins.clone_from(&pins));
         }
         Ok(decoded)
     }

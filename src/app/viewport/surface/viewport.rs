@@ -6,23 +6,23 @@
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::handles::{Handle, HandleKind, HandleState, Places};
 use crate::app::input::keyboard_navigation;
-use crate::app::input::keyboard_navigation::{EyeMove, KeyStep};
+use crate::app::input::keyboard_navigation::EyeMove;
 use crate::app::input::locks::{Control, Locks};
 use crate::app::theme::{Palette, is_animated};
 use crate::app::viewport::best;
 use crate::app::viewport::dots;
 use crate::app::viewport::dots::Dot;
 use crate::app::viewport::gpu::ViewportCallback;
+use crate::app::viewport::moves;
 use crate::app::viewport::picture::Picture;
 use crate::app::viewport::pins;
 use crate::app::viewport::planar::{BOUNDARY_REACH, ZOOM_PER_POINT};
 use crate::app::viewport::surface::{OrbitView, loops};
-use crate::conformal::Side;
+use crate::conformal::{InteriorPoint, Side};
 use crate::geometry::DVec3;
 use crate::model::Model;
 use crate::model::best::Aim;
 use crate::render::{CellStyle, Pace, SpaceFrame, StrokeStyle, TextureStyle};
-use crate::session::Command;
 use crate::surface::nearest_on_boundary_to_ray;
 use egui::{CornerRadius, CursorIcon, PointerButton, Pos2, Response, Sense, Ui, Vec2};
 
@@ -48,7 +48,8 @@ pub fn interact(
     dots::grab_and_release(ui, &response, side, &places, handles);
     drag_handle(ui, side, model, view, handles, actions);
     if let Some(key_step) = keyboard_navigation::of_dots(ui, side, &places, handles) {
-        actions.extend(stepped(side, model, view, key_step).map(Action::Session));
+        let interior = |step| point_at(side, model, view, view.to_screen(model.surface_point(side)?)? + step);
+        actions.extend(moves::stepped(model, side, key_step, interior).map(Action::Session));
     }
     if !held_dot {
         loops::interact(ui, &response, (side, model), view, handles, actions);
@@ -86,32 +87,14 @@ fn pinch(ui: &Ui, response: &Response, view: &mut OrbitView, handles: &mut Handl
 }
 
 fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &OrbitView, handles: &HandleState, actions: &mut Actions) {
-    let Some(grip) = handles.grip.filter(|grip| grip.handle.side == side) else { return };
-    let (moved, pointer) = ui.input(|input| (input.pointer.delta() != Vec2::ZERO, input.pointer.interact_pos()));
-    let Some(pointer) = pointer.filter(|_| moved) else { return };
-    let at = pointer + grip.offset;
-    let command = match grip.handle.kind {
-        HandleKind::Interior => point_at(side, model, view, at),
-        HandleKind::Boundary => anchor_at(side, model, view, at).map(|fraction| Command::MoveAnchor { side, fraction }),
-        HandleKind::Pin(pin) => {
-            anchor_at(side, model, view, at).map(|fraction| Command::MovePin { pin: pin.into(), side, fraction })
-        }
-    };
+    let Some((handle, at)) = moves::dragged(ui, side, handles) else { return };
+    let command = moves::moved(handle, || point_at(side, model, view, at), || anchor_at(side, model, view, at));
     actions.extend(command.map(Action::Session));
 }
 
-fn stepped(side: Side, model: &Model, view: &OrbitView, key_step: KeyStep) -> Option<Command> {
-    match key_step {
-        KeyStep::Interior(step) => point_at(side, model, view, view.to_screen(model.surface_point(side)?)? + step),
-        KeyStep::Boundary(step) => Some(Command::MoveAnchor { side, fraction: model.surface(side)?.1.anchor + step }),
-        KeyStep::Pin(pin, step) => pins::stepped(model, side, pin, step),
-        KeyStep::RemovePin(pin) => pins::removed(model, pin),
-    }
-}
-
-/// The command that moves the interior point to the surface point under `at`; if `at` is beside the surface, to the
+/// The interior point for a pointer at `at`: the surface point under it; if `at` is beside the surface, to the
 /// point nearest to the ray at the depth of the present one.
-fn point_at(side: Side, model: &Model, view: &OrbitView, at: Pos2) -> Option<Command> {
+fn point_at(side: Side, model: &Model, view: &OrbitView, at: Pos2) -> Option<InteriorPoint> {
     let (surface, _) = model.surface(side)?;
     let (eye, direction) = view.ray(at)?;
     let tree = surface.surface()?.tree();
@@ -119,7 +102,7 @@ fn point_at(side: Side, model: &Model, view: &OrbitView, at: Pos2) -> Option<Com
         let depth = (model.surface_point(side)? - eye).dot(direction);
         tree.nearest(eye + depth * direction)
     });
-    surface.interior_near(hit?.0).map(|point| Command::MoveInterior { side, point: point.into() })
+    surface.interior_near(hit?.0).map(Into::into)
 }
 
 /// The place of the surface under the pointer.
@@ -240,14 +223,10 @@ pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &OrbitView, handles:
 
 /// The dots of a side: its two points, or its pins.
 fn points(side: Side, model: &Model) -> Vec<(HandleKind, DVec3)> {
-    let surface = model.surface(side).and_then(|(surface, _)| surface.surface());
-    if let (Some(pins), Some(surface)) = (model.pins(), surface) {
-        let place = |fraction| surface.boundary_position(surface.at_fraction(fraction));
-        return pins::numbered(pins, side).map(|(kind, fraction)| (kind, place(fraction))).collect();
-    }
-    let points =
-        [(HandleKind::Interior, model.surface_point(side)), (HandleKind::Boundary, model.surface_anchor(side))];
-    points.into_iter().filter_map(|(kind, point)| Some((kind, point?))).collect()
+    moves::dots(model, side, [model.surface_point(side), model.surface_anchor(side)], |fraction| {
+        let surface = model.surface(side)?.0.surface()?;
+        Some(surface.boundary_position(surface.at_fraction(fraction)))
+    })
 }
 
 /// Where the dots of a side are on the screen.

@@ -19,6 +19,7 @@ const GROUPS: [(Words, &[[Words; 2]]); 4] = [
         key::mouse_fingers(),
         &[
             [key::drag_dot_gesture(), key::drag_dot_gesture_about()],
+            [key::drag_with_alt(), key::drag_with_alt_about()],
             [key::drag_beside_dots(), key::drag_beside_dots_about()],
             [key::wheel_two_fingers(), key::wheel_two_fingers_about()],
             [key::double_click(), key::double_click_about()],
