@@ -29,6 +29,7 @@ pub mod persistence;
 mod pinned;
 mod pointer;
 mod probe;
+mod quadrilateral;
 mod refresh;
 mod requested;
 pub mod scene;
@@ -392,6 +393,9 @@ mod either_side_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod pinned_tests;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+mod quadrilateral_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod refining_tests;

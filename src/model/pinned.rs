@@ -143,7 +143,7 @@ impl Model {
     }
 
     /// The map of the session's sides that is shown, not the coarse one; `None` while it is computed.
-    fn full_map(&self) -> Option<&ConformalMap> {
+    pub(super) fn full_map(&self) -> Option<&ConformalMap> {
         self.fine.map().or(self.shown.map.as_ref()).filter(|_| !self.is_pending())
     }
 

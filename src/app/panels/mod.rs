@@ -5,12 +5,12 @@
 //! | the column of controls | `side_panel`, `surface_panel`, `play_panel` |
 //! | which map: by points or by pins | `pins_panel` |
 //! | the boundary loops of a surface | `loops_panel` |
-//! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `invariants_panel` |
+//! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `invariants_panel`, `quadrilateral_panel` |
 //! | the welcome of the first visit | `welcome` |
 //! | the placement of the texture's picture | `picture_panel` |
 //! | title, buttons, messages and legend of a picture | `header` |
 //! | the menu of outlines and surfaces | `shapes` |
-//! | the offer to trace a picture | `offer` |
+//! | the offers to trace a picture and to map a region | `offer` |
 
 mod advanced;
 pub mod header;
@@ -22,6 +22,7 @@ pub mod offer;
 mod picture_panel;
 pub mod pins_panel;
 pub mod play_panel;
+pub mod quadrilateral_panel;
 pub mod shapes;
 pub mod side_panel;
 mod sketch;

@@ -2,6 +2,7 @@
 
 pub mod pointed;
 pub mod stats;
+pub mod window_stats;
 
 use super::theme::{self, Palette};
 use crate::app::language::words;

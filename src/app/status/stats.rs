@@ -1,6 +1,7 @@
 //! The state of the screen as one plain record, for `window.riemap.stats()` and for tests.
 
 use crate::app::editing::EditingStats;
+use crate::app::status::window_stats::WindowStats;
 use crate::conformal::{FrameTimings, KernelMode, PerSide, PrepareTimings, Side};
 use crate::geometry::DVec2;
 use crate::language::Message;
@@ -8,9 +9,8 @@ use crate::model::overlays::disk_comparison::Found;
 use crate::model::{ErrorBounds, Model, PointedImage, Processor, SideKernel};
 use crate::outline::Interpreted;
 use crate::session::{Colouring, DiskWay};
-use crate::worker::FoundInvariants;
+use crate::worker::{FoundGrid, FoundInvariants, Number};
 use serde::Serialize;
-use std::collections::BTreeMap;
 
 /// The size of a prepared domain; zeros until it is prepared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
@@ -149,6 +149,21 @@ pub struct OverlayStats {
     pub walks: (u64, Option<f64>),
     /// The invariants of both sides, where they are asked for and there; a text is why not.
     pub invariants: [Option<Result<FoundInvariants, String>>; 2],
+    /// The orthogonal grids of both sides, where they are shown and there; a text is why not.
+    pub grids: [Option<Result<GridStats, String>>; 2],
+    /// The number of grid lines over each picture.
+    pub grid_lines: [usize; 2],
+}
+
+/// An orthogonal grid.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct GridStats {
+    /// The modulus between the marks.
+    pub modulus: Number,
+    /// The estimated error of a node.
+    pub image_error: f64,
+    /// The largest deviation of its angles from 90°, in degrees.
+    pub angle_deviation: Option<f64>,
 }
 
 /// What the screen knows and the model does not.
@@ -195,39 +210,6 @@ pub struct PlotStats {
     pub marked_boundary: Option<[f64; 2]>,
     /// How far the reparameterisation in the plot is from the exact one, where that is known, as a part of the length.
     pub exact_difference: Option<f64>,
-}
-
-/// The windows over the pictures.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct WindowStats {
-    /// Where the controls of the window of exports are, by name; `None` while it is closed.
-    pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
-    /// How many pictures of how many are made, while they are.
-    pub export_count: Option<[u32; 2]>,
-    /// The progress of a formula, and what the last one reached.
-    pub formula: FormulaStats,
-    /// The link that the window "Share" shows; `None` while it is closed.
-    pub share: Option<ShareStats>,
-    /// Where the windows that are open are closed, by name.
-    pub close: BTreeMap<&'static str, [f32; 2]>,
-}
-
-/// A link that is shared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct ShareStats {
-    /// The length of the address.
-    pub bytes: usize,
-    /// The modules along an edge of its QR code; `None` where the link is too long for one.
-    pub modules: Option<usize>,
-}
-
-/// A formula that is computed or was computed.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct FormulaStats {
-    /// The share that is done, while it is computed.
-    pub progress: Option<f64>,
-    /// What the last one reached, in English.
-    pub reached: Vec<String>,
 }
 
 /// What is on the screen now. A page gets one object with the keys of all parts.
@@ -326,7 +308,13 @@ fn overlays(model: &Model) -> OverlayStats {
         },
         walks: (walks.count(), walks.deviation()),
         invariants: Side::BOTH.map(|side| Some(model.invariants(side)?.clone().map_err(|reason| reason.english()))),
+        grids: Side::BOTH.map(|side| Some(model.grid(side)?.as_ref().map(grid).map_err(Message::english))),
+        grid_lines: Side::BOTH.map(|side| model.grid_lines(side).len()),
     }
+}
+
+fn grid(&FoundGrid { modulus, image_error, angle_deviation, .. }: &FoundGrid) -> GridStats {
+    GridStats { modulus, image_error, angle_deviation }
 }
 
 fn comparison(model: &Model, way: DiskWay) -> Option<ComparisonStats> {
@@ -368,7 +356,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 48] = [
+    const KEYS: [&str; 51] = [
         "backend",
         "boundary_checksum",
         "cauchy_green",
@@ -388,6 +376,8 @@ mod tests {
         "formula",
         "frame_ms",
         "generation",
+        "grid_lines",
+        "grids",
         "handles",
         "image",
         "image_of_mapped_point",
@@ -403,6 +393,7 @@ mod tests {
         "pointed",
         "prepare_ms",
         "preparing",
+        "projection",
         "q_max",
         "q_mean",
         "ready",

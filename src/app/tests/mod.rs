@@ -10,6 +10,7 @@ mod lessons;
 mod locks;
 mod panels;
 mod playing;
+mod quadrilaterals;
 mod surfaces;
 mod tour;
 

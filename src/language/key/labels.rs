@@ -175,6 +175,13 @@ keys_of_labels! {
     frame_tooltip, source, target, stage_sample, stage_assemble, stage_order, stage_table, waiting_worker,
     reading, sampling_boundary, triangulating, assembling_laplacian, ordering, factoring, solved_iteratively,
     mesh_is_coarser,
+    // quadrilaterals
+    quadrilateral, explain_quadrilateral, map_onto_rectangle, map_onto_rectangle_tooltip, rectangle, orthogonal_grid,
+    orthogonal_grid_tooltip, cells_along, cells_across_marks, save_grid,
+    // projections
+    map_projection, map_projection_tooltip, projection, explain_projection, projection_begin, open_region,
+    open_region_tooltip, show_island, show_island_tooltip, island, regions, scale_ratio, stereographic_ratio, least_scale,
+    looks_geographic, project_it, project_it_tooltip, scale_lines_legend, save_projection,
 }
 
 keys_of_messages! {
@@ -226,4 +233,11 @@ keys_of_messages! {
     edited_name(name); harmonic_coordinates(percent); cauchy_green_cpu_at(percent);
     sizes(boundary, interior, duration); surface_sizes_about(count, shown);
     edges_flipped(count, shown, before, after);
+    // quadrilaterals
+    pinned_to_corners(miss); grid_accuracy(error, angle); grid_error(error); lines_drawn(stride); computing_at(percent);
+    modulus_uncertain(value, error); accessible_grid(side, first, second, accuracy); save_grid_as(format);
+    // projections
+    ratio_at_most(value, error); place_in_degrees(longitude, latitude); graticule_steps(longitude, latitude);
+    accessible_projection(name, ratio, stereographic); projection_left_out(percent, count); projection_joined(count);
+    projection_holes(count); projection_overlaps(longitude, latitude); projecting(name); save_projection_as(format);
 }

@@ -53,6 +53,10 @@ keys_of_labels! {
     scene_v_shape_to_blob, scene_forward, scene_backward, scene_harmonic,
     // render
     device_gone,
+    // quadrilaterals
+    quadrilateral_no_middle,
+    // projections
+    outline_geographic, region_no_boundary, projection_cancelled, projection_is_stereographic,
 }
 
 keys_of_messages! {
@@ -154,4 +158,12 @@ keys_of_messages! {
     film_seconds(seconds, least, most); render_geometry(viewport, fault); render_surface(fault);
     too_many_triangles(count); coordinates_differ(positions, coordinates); codes_differ(triangles, codes);
     boundary_too_long(boundary, vertices); vertex_beyond(triangle, corners, vertices); too_few_bytes(width, height);
+    // quadrilaterals
+    mark_not_finite(mark); marks_coincide(first, second); marks_out_of_order(mark, next);
+    quadrilateral_too_long(a, b, c, d, length, limit);
+    // projections
+    point_of_ring(point, ring); region_latitude(place, latitude); region_longitude(place, longitude);
+    region_too_few_points(ring, points); region_nearly_whole_sphere(clearance, limit);
+    region_crosses(longitude, latitude, first, second); region_touches(longitude, latitude, first, second);
+    region_no_polygon(reason); region_not_meshed(reason);
 }

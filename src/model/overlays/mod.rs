@@ -4,6 +4,7 @@
 
 pub mod disk_comparison;
 pub mod invariants;
+pub mod orthogonal_grid;
 pub mod overlay;
 pub mod walks;
 
@@ -13,6 +14,7 @@ use crate::model::pattern::disk_grid::DiskGrid;
 use crate::session::Comparison;
 use disk_comparison::DiskComparison;
 use invariants::InvariantsState;
+use orthogonal_grid::GridState;
 use overlay::Overlays;
 use std::sync::Arc;
 use walks::Walks;
@@ -48,6 +50,8 @@ pub struct OverlayState {
     pub walks: Walks,
     /// The conformal invariants of the sides.
     pub invariants: InvariantsState,
+    /// The orthogonal grids of the sides.
+    pub orthogonal_grids: GridState,
     /// The coordinates of the conformal pattern.
     pub grid: DiskGrid,
     overlays: Overlays,
