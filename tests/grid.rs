@@ -1,11 +1,15 @@
 //! `riemap grid`: known grids and moduli, right angles, the formats, and what is refused.
 
 #![cfg(feature = "app")]
-#![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
 mod support;
 
+use riemap::conformal::GridCells;
+use riemap::export::GridFormat;
 use riemap::geometry::DVec2;
+use riemap::outline::{CurveForm, Preset};
+use riemap::worker::{GridContent, GridTask, StudiedOutline};
 use serde_json::Value;
 use std::path::Path;
 use support::program::{fails, file, folder, names, succeeds};
@@ -270,8 +274,38 @@ fn bad_input_is_refused_with_its_cause() {
     let long = file(&folder, "long.json", "[[0,0],[40,0],[40,1],[0,1]]");
     let corners = format!("0,{},0.5,{}", 40.0 / 82.0, 0.5 + 40.0 / 82.0);
     with(&long, &corners, "4x4", 1, &["from mark 2 to 3", "from mark 4 to 1", "the limit"]);
+    for surface in ["preset:hemisphere", "absent.obj"] {
+        with(surface, marks, "4x4", 1, &[surface, "is a surface", "outline"]);
+    }
+    let saw = |k: u32| (if k.is_multiple_of(2) { 1.0 } else { 0.8 }) * DVec2::from_angle(f64::from(k) * 0.01);
+    let points: Vec<[f64; 2]> = (0..628).map(|k| saw(k).to_array()).collect();
+    let saw = file(&folder, "saw.json", &serde_json::to_string(&points).unwrap());
+    with(&saw, marks, "4x4", 1, &["saw.json", "unknowns", "more than the limit"]);
     let svg = folder.join("g.png").display().to_string();
     let arguments = ["grid", "preset:disk", "--marks", marks, "--cells", "4x4", "--out"];
     fails(&[&arguments[..], &[&svg]].concat(), 2, &["csv, svg, obj or vtk"]);
-    assert_eq!(names(&folder), ["long.json"], "a partial file is left");
+    assert_eq!(names(&folder), ["long.json", "saw.json"], "a partial file is left");
+}
+
+#[test]
+fn the_app_writes_the_files_of_the_command_line() {
+    let folder = folder("app");
+    let marks = [0.1, 0.25, 0.625, 0.75];
+    let cells = GridCells::new([7, 4]).unwrap();
+    let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]].map(DVec2::from).to_vec();
+    let outlines = [
+        ("preset:blob".to_owned(), StudiedOutline::Preset(Preset::Blob)),
+        (file(&folder, "l.json", L), StudiedOutline::Points { points, form: CurveForm::default() }),
+    ];
+    for (name, outline) in outlines {
+        for format in GridFormat::ALL {
+            let path = folder.join(format!("g.{}", format.extension())).display().to_string();
+            succeeds(&["grid", &name, "--marks", "0.1,0.25,0.625,0.75", "--cells", "7x4", "--out", &path]);
+            let task = GridTask::new(outline.clone(), marks, cells, Some(format));
+            let Some(GridContent::File(text)) = task.run(&mut |_| true).unwrap().map(|found| found.content) else {
+                panic!("no file")
+            };
+            assert!(text == std::fs::read_to_string(&path).unwrap(), "{name}: another {path}");
+        }
+    }
 }

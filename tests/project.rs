@@ -6,7 +6,9 @@
 
 mod support;
 
+use riemap::export::ProjectionFormat;
 use riemap::geometry::{DVec2, DVec3};
+use riemap::worker::ProjectionTask;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -250,4 +252,28 @@ fn bad_input_is_refused_with_its_cause() {
     assert_eq!(names(&folder), ["bad.geojson", "good.geojson"]);
     let text = String::from_utf8(riemap(&["project", &good]).stdout).unwrap();
     assert!(text.contains("scale ratio") && text.contains("stereographic"), "{text}");
+}
+
+#[test]
+fn the_app_writes_the_files_of_the_command_line() {
+    let folder = folder("app");
+    let path = folder.join("cap.geojson");
+    std::fs::write(&path, geojson(&[cap([10.0, 50.0], 12.0, 60)])).unwrap();
+    let path = path.display().to_string();
+    let bytes = std::fs::read(&path).unwrap();
+    let tasks = [
+        (path.as_str(), ProjectionTask::File { name: "cap.geojson".into(), bytes }),
+        ("preset:island", ProjectionTask::Island),
+    ];
+    for (name, task) in tasks {
+        let found = task.run(&mut |_| true).unwrap().unwrap();
+        for (format, text) in ProjectionFormat::ALL.into_iter().zip(&found.files) {
+            let out = folder.join(format!("p.{}", format.extension())).display().to_string();
+            let printed = succeeds(&["project", name, "--out", &out, "--json"]);
+            assert!(*text == std::fs::read_to_string(&out).unwrap(), "{name}: another {out}");
+            let report: Value = serde_json::from_slice(&printed.stdout).unwrap();
+            assert_eq!(report, serde_json::to_value(&found.report).unwrap());
+        }
+    }
+    fails(&["project", "preset:atlantis"], 1, &["atlantis", "island"]);
 }

@@ -6,7 +6,7 @@
 use crate::app::RiemapApp;
 use crate::app::input::handles::{Handle, HandleKind};
 use crate::app::language::words;
-use crate::app::panels::{best_panel, invariants_panel, pins_panel, symmetry_panel};
+use crate::app::panels::{best_panel, invariants_panel, pins_panel, quadrilateral_panel, symmetry_panel};
 use crate::app::status::pointed;
 use crate::app::viewport::probe;
 use crate::conformal::{PerSide, Side};
@@ -35,6 +35,7 @@ pub fn state(app: &RiemapApp) -> String {
     sentences.extend(Side::BOTH.into_iter().filter_map(|side| symmetries(model, side)));
     sentences.extend(caught(app));
     sentences.extend(Side::BOTH.into_iter().filter_map(|side| invariants(model, side)));
+    sentences.extend(Side::BOTH.into_iter().filter_map(|side| quadrilateral_panel::sentence(model, side)));
     sentences.extend(best(model));
     sentences.extend(app.clicked().as_ref().map(pointed::sentence));
     if !model.is_ready() {
@@ -42,6 +43,7 @@ pub fn state(app: &RiemapApp) -> String {
     }
     sentences.extend(app.pictures.probe.as_ref().map(|image| format!("{}.", probe::words(image))));
     sentences.extend(app.windows.explore.words().into_iter().flatten().map(String::from));
+    sentences.extend(app.windows.projection.words());
     let formula = app.windows.exporter.formula_notes();
     sentences.extend(formula.into_iter().map(|(note, _)| say(&key::sentence(note))));
     sentences.extend(app.messages.notice.map(|notice| String::from(tr(notice.text))));

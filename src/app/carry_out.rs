@@ -71,6 +71,8 @@ impl RiemapApp {
             Action::ShowLadder(shown) => self.windows.reports.show_ladder(shown),
             Action::CloseReport => self.windows.reports.close(),
             Action::DismissMessage => self.dismiss_message(),
+            Action::Grid(action) => self.model.act_on_grids(action),
+            Action::Projection(action) => self.act_on_projection(action),
             Action::Export(action) => self.export(action, context),
             Action::Play(PlayAction::Toggle) if self.model.pins().is_some() && !self.player.is_playing() => {
                 self.messages.common = Some(key::pins_do_not_play().into());

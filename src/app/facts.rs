@@ -3,14 +3,14 @@
 use super::{RiemapApp, accessibility, editing};
 use crate::app::input::handles::HandleKind;
 use crate::app::overlays;
-use crate::app::status::stats::{
-    FormulaStats, HandlePositions, PlotStats, ScreenStats, ShareStats, Stats, WindowStats,
-};
+use crate::app::status::stats::{HandlePositions, PlotStats, ScreenStats, Stats};
+use crate::app::status::window_stats::{FormulaStats, ProjectionStats, ShareStats, WindowStats};
 use crate::app::viewport::gpu::Gpu;
 use crate::app::windows::Windows;
 use crate::conformal::{Extension, PerSide, Side};
 use crate::language::Message;
 use crate::model::Processor;
+use crate::worker::FoundProjection;
 
 impl RiemapApp {
     /// The numbers on the screen.
@@ -42,7 +42,7 @@ impl RiemapApp {
     }
 
     fn window_stats(&self) -> WindowStats {
-        let Windows { explore, exporter, .. } = &self.windows;
+        let Windows { explore, exporter, projection, .. } = &self.windows;
         WindowStats {
             export: exporter.places().cloned(),
             export_count: exporter.count(),
@@ -50,6 +50,10 @@ impl RiemapApp {
                 progress: exporter.formula_progress(),
                 reached: exporter.formula_notes().iter().map(|(note, _)| note.english()).collect(),
             },
+            projection: projection.is_open().then(|| ProjectionStats {
+                progress: projection.progress(),
+                ..projection.found().map(projected).unwrap_or_default()
+            }),
             share: self.windows.share.address().map(|address| {
                 let modules = self.windows.share.modules();
                 ShareStats { bytes: address.len(), modules }
@@ -93,7 +97,7 @@ impl RiemapApp {
         let panel = overlays::panel::errors(&self.model).cloned();
         let windows =
             self.editor.errors().chain(self.windows.reports.errors()).cloned().chain(self.windows.exporter.errors());
-        inputs.chain(panel).chain(windows).collect()
+        inputs.chain(panel).chain(windows).chain(self.windows.projection.error()).collect()
     }
 
     pub(super) fn notes(&self) -> Vec<Message> {
@@ -105,5 +109,16 @@ impl RiemapApp {
         let on_gpu = self.pictures.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
         let asked = self.model.session().extension() == Extension::CauchyGreen;
         asked.then_some(if on_gpu { Processor::Gpu } else { Processor::Cpu })
+    }
+}
+
+/// A map projection that was computed.
+fn projected(found: &FoundProjection) -> ProjectionStats {
+    ProjectionStats {
+        progress: None,
+        scale_ratio: Some(found.report.scale_ratio),
+        stereographic_scale_ratio: Some(found.report.stereographic_scale_ratio),
+        scale_lines: found.scales.iter().map(|scale| scale.lines.len()).sum(),
+        notes: found.notes().iter().map(Message::english).collect(),
     }
 }

@@ -13,6 +13,7 @@ use crate::app::viewport::picture::Seen;
 use crate::conformal::Side;
 use crate::language::key;
 use crate::model::motion::PlayAction;
+use crate::model::overlays::orthogonal_grid::GridWork;
 use crate::model::{Changes, Refines};
 use crate::platform;
 use crate::worker::Study;
@@ -67,6 +68,7 @@ impl RiemapApp {
         self.windows.reports.show(context, actions);
         editing::show_paste(context, &mut self.editor, actions);
         self.windows.explore.show(context, actions);
+        self.windows.projection.show(context, actions);
         self.show_exporter(context, actions);
         self.show_share(context, actions);
     }
@@ -90,6 +92,7 @@ impl RiemapApp {
         self.measure_at_rest(context, now);
         self.begin_invariants(context, now);
         self.begin_symmetries(context, now);
+        self.begin_grids(is_held);
         self.advance_overlays(context, now);
         self.look_under_pointer(context, now);
         self.look_at_probe(context, now);
@@ -126,6 +129,19 @@ impl RiemapApp {
             context.request_repaint_after_secs(REST_SECONDS as f32);
         } else if let Some(outline) = self.model.take_symmetry() {
             self.workers.symmetry_runner.begin(Study::Symmetry(Box::new(outline)));
+        }
+    }
+
+    /// Requests the grids that are asked for, and gives up the others; while a pointer button is down, marks and numbers of
+    /// cells may still change.
+    fn begin_grids(&mut self, is_held: bool) {
+        if is_held {
+            return;
+        }
+        match self.model.next_grid_work() {
+            GridWork::Nothing => {}
+            GridWork::Cancel => self.workers.grid_runner.cancel(),
+            GridWork::Begin(task) => self.workers.grid_runner.begin(Study::Grid(Box::new(task))),
         }
     }
 

@@ -17,7 +17,7 @@ use crate::outline::Outline;
 use crate::platform::{self, Event, Kept};
 use crate::session::file::Attachment;
 use crate::session::{Touched, lesson};
-use crate::worker::{Finding, Response, Study};
+use crate::worker::{Finding, ProjectionTask, Response, Study};
 use std::sync::Arc;
 
 /// The delay of the frame that updates the panels after the pictures, in seconds: sooner than anyone reads them.
@@ -74,6 +74,12 @@ impl RiemapApp {
                 _ => Err(key::another_answer().into()),
             }),
             Study::Formula(task) => self.take_formula(task, finding),
+            Study::Grid(task) => match self.model.accept_grid(task, finding) {
+                Some(Ok(file)) => platform::save_file(&file.name, file.bytes, self.workers.mailbox.clone()),
+                Some(Err(reason)) => self.messages.common = Some(reason),
+                None => {}
+            },
+            Study::Projection(task) => self.windows.projection.accept(task, finding),
             _ => self.windows.reports.accept(study, finding),
         }
     }
@@ -104,8 +110,9 @@ impl RiemapApp {
     pub(super) fn take_arrived(&mut self) {
         match self.model.take_arrived() {
             None => {}
-            Some(Arrived::Outline(origin)) => {
+            Some(Arrived::Outline(origin, geographic)) => {
                 self.begin_change(Touched::ANOTHER_SHAPE);
+                self.messages.offer = geographic.map(Offer::to_project).or(self.messages.offer.take());
                 if origin == Origin::PastedText {
                     self.editor.end_paste(&mut self.model, &mut self.pictures.views);
                 }
@@ -153,6 +160,7 @@ impl RiemapApp {
                 self.take_arrived();
             }
             FileKind::Lesson => self.take_lesson(purpose, name, &bytes),
+            FileKind::Region => self.project(ProjectionTask::File { name: name.to_owned(), bytes }),
             FileKind::Surface(side) => {
                 self.persistence.touch();
                 self.model.open_surface_in_turn(side, name, bytes);
@@ -206,8 +214,7 @@ impl RiemapApp {
 
     /// Traces the picture that was last opened.
     pub(super) fn trace_image(&mut self) {
-        if let Some(offer) = self.messages.offer.take() {
-            let (side, traced) = offer.accept();
+        if let Some((side, traced)) = self.messages.offer.take().and_then(|offer| offer.accept()) {
             self.take_traced(side, traced);
         }
     }

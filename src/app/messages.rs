@@ -27,7 +27,7 @@ impl Notice {
 pub struct Messages {
     /// The last error about an image, a saved file, a link or a locked control.
     pub common: Option<Message>,
-    /// The picture that can be traced.
+    /// The picture that can be traced, or the file that can be shown as a map.
     pub offer: Option<Offer>,
     pub notice: Option<Notice>,
     /// The parts of the message and the offer that are shown below the pictures.

@@ -30,6 +30,7 @@ mod overlays;
 mod panels;
 mod pictures;
 mod plots;
+mod projecting;
 mod screen;
 mod sessions;
 mod startup;

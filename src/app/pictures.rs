@@ -107,6 +107,7 @@ fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangemen
         header::legend(ui, side, &app.model, view, beside);
     }
     app.pictures.uv.paint(ui, side, &app.model, view);
+    overlays::quadrilateral::paint(ui, side, &app.model, view);
     overlays::paint::show(ui, side, &app.model, view);
     if let Some(scale) = scale {
         legend::paint(ui, view.rect, scale, tight);

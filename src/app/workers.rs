@@ -41,6 +41,10 @@ pub struct Workers {
     pub symmetry_runner: StudyRunner,
     /// For formulas, which can be cancelled.
     pub formula_runner: StudyRunner,
+    /// For orthogonal grids.
+    pub grid_runner: StudyRunner,
+    /// For map projections, which can be cancelled.
+    pub projection_runner: StudyRunner,
     /// The sending end; its receiver is `events`.
     pub mailbox: Mailbox,
     pub events: mpsc::Receiver<Event>,
@@ -57,6 +61,8 @@ impl Workers {
             invariants_runner: StudyRunner::new(mailbox.clone()),
             symmetry_runner: StudyRunner::new(mailbox.clone()),
             formula_runner: StudyRunner::new(mailbox.clone()),
+            grid_runner: StudyRunner::new(mailbox.clone()),
+            projection_runner: StudyRunner::new(mailbox.clone()),
             mailbox,
             events,
             sent: PerSide::default(),

@@ -11,9 +11,6 @@ use crate::conformal::{OrthogonalGrid, Quadrilateral, QuadrilateralError};
 use crate::export::GridFormat;
 use std::path::{Path, PathBuf};
 
-/// The tolerance of the point from which the middle is looked for, in sizes of the outline.
-const NEAR_POLE: f64 = 1e-3;
-
 /// Computes the grid, writes the files and prints the summary.
 pub fn run(arguments: &GridArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| format_of(path)).collect::<Result<Vec<_>, _>>()?;
@@ -23,12 +20,15 @@ pub fn run(arguments: &GridArguments) -> Result<(), CliError> {
         NamedCurve::read(&arguments.outline, arguments.repair, arguments.interpret)?;
     let refused = |error: QuadrilateralError| CliError::Input(format!("{}: {error}", arguments.outline));
     progress.enter("the integral equation");
-    let inside = polygon.pole_of_inaccessibility(NEAR_POLE * polygon.bounds().size().max_element());
-    let quadrilateral = Quadrilateral::new(&curve, arguments.marks.0, inside).map_err(refused)?;
+    let quadrilateral = Quadrilateral::of_outline((&polygon, &curve), arguments.marks.0).map_err(refused)?;
     progress.enter("the map");
     let map = quadrilateral.map().map_err(refused)?;
     progress.enter("the grid");
-    let grid = map.grid(arguments.cells.0, &mut |done| progress.report(done));
+    let is_never_cancelled = &mut |done| {
+        progress.report(done);
+        true
+    };
+    let Some(grid) = map.grid(arguments.cells.0, is_never_cancelled) else { return Ok(()) };
     let file = |(path, format): (&PathBuf, GridFormat)| (path.clone(), format.text(&grid, &map, &curve).into_bytes());
     let files: Vec<(PathBuf, Vec<u8>)> = arguments.out.iter().zip(formats).map(file).collect();
     write_all(&files)?;

@@ -3,6 +3,7 @@
 use super::CliError;
 use super::discretization::InterpretArgument;
 use super::named_outline::read_outline;
+use super::side::is_surface;
 use crate::geometry::{Curve, SimplePolygon};
 use crate::outline::{OutlineCurve, OutlineNote, Preset};
 use std::str::FromStr as _;
@@ -18,8 +19,12 @@ pub struct NamedCurve {
 }
 
 impl NamedCurve {
-    /// A preset by its formulas, or a file's curve, as it is interpreted; notes are printed to stderr.
+    /// A preset by its formulas, or a file's curve, as it is interpreted; notes are printed to stderr. Errors: also if it
+    /// is a surface.
     pub fn read(name: &str, repair: bool, interpret: InterpretArgument) -> Result<Self, CliError> {
+        if is_surface(name) {
+            return Err(CliError::Input(format!("{name} is a surface, and only an outline has a curve")));
+        }
         let refused = |error: &dyn std::fmt::Display| CliError::Input(format!("{name}: {error}"));
         if let Some(Ok(preset)) = name.strip_prefix("preset:").map(Preset::from_str) {
             let curve = preset.curve().map_err(|error| refused(&error))?;

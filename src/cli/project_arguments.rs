@@ -6,10 +6,10 @@ use std::path::PathBuf;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   riemap project country.geojson --out country.svg --json
-  riemap project island.geojson --out island.svg --out island.csv")]
+  riemap project preset:island --out island.svg --out island.csv")]
 pub struct ProjectArguments {
-    /// The region, a GeoJSON file in longitude and latitude (degrees); of several polygons the largest is taken, holes
-    /// are filled. Edges are straight in longitude and latitude.
+    /// The region, a GeoJSON file in longitude and latitude (degrees), or `preset:island`, an island by formula; of
+    /// several polygons the largest is taken, holes are filled. Edges are straight in longitude and latitude.
     pub region: String,
     /// Write the map to this file; may be repeated; the extension selects the format: svg (outline, graticule, lines of
     /// equal scale), csv (rows lon,lat,x,y: the boundary in order, then a lattice of longitudes and latitudes inside).

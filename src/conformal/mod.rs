@@ -111,6 +111,7 @@ pub use prepare::{
 pub use prepared_side::{PreparedSide, SideGeometry};
 pub use quadrilateral::{
     GridCells, MOST_CELLS, MOST_LENGTH, Marks, OrthogonalGrid, Quadrilateral, QuadrilateralError, RectangleMap,
+    rectangle_corners,
 };
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
 pub use resolution::{Refining, Resampled, ResolveError, ResolvedBoundary};

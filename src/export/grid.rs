@@ -6,7 +6,8 @@ use crate::geometry::{Bounds, Curve, DVec2, Piece};
 use std::fmt::Write as _;
 
 /// The file format of a grid.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum GridFormat {
     /// A table: rows `i,j,x,y` under a line with these names, i running fastest.
     Csv,
@@ -19,15 +20,22 @@ pub enum GridFormat {
 }
 
 impl GridFormat {
+    /// All formats.
+    pub const ALL: [Self; 4] = [Self::Csv, Self::Svg, Self::Obj, Self::Vtk];
+
+    /// The file extension.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Svg => "svg",
+            Self::Obj => "obj",
+            Self::Vtk => "vtk",
+        }
+    }
+
     /// The format with this file extension, in upper or lower case.
     pub fn from_extension(extension: &str) -> Option<Self> {
-        match extension.to_ascii_lowercase().as_str() {
-            "csv" => Some(Self::Csv),
-            "svg" => Some(Self::Svg),
-            "obj" => Some(Self::Obj),
-            "vtk" => Some(Self::Vtk),
-            _ => None,
-        }
+        Self::ALL.into_iter().find(|format| extension.eq_ignore_ascii_case(format.extension()))
     }
 
     /// The file of a grid, which `map` has made for a quadrilateral on `curve`.
@@ -99,7 +107,7 @@ fn svg(grid: &OrthogonalGrid, map: &RectangleMap<'_>, curve: &Curve) -> String {
     let _ = write!(text, "<path class=\"outline\" stroke=\"{OUTLINE_COLOR}\" stroke-width=\"1.5\" d=\"");
     placement.path(&mut text, placement.distinct(&outline), true);
     text.push_str("\"/>\n");
-    for (lines, color) in map.lines(grid.cells()).into_iter().zip(LINE_COLORS) {
+    for (lines, color) in map.lines(grid.cells(), [1, 1]).into_iter().zip(LINE_COLORS) {
         let _ = writeln!(text, "<g class=\"lines\" stroke=\"{color}\" stroke-width=\"0.8\">");
         for line in lines {
             text.push_str("<path d=\"");

@@ -2,7 +2,8 @@
 //!
 //! `flattened`: surfaces with texture coordinates; `glb`: as a self-contained glTF file. `numbers`: tables and meshes of maps between any two sides.
 //! `formula`: maps as rational functions, in numbers and code. `drawing`: vector graphics of the planar parts of a map,
-//! with the pattern lines of `ruling` and `tiles`; `grid`: orthogonal grids; `projection`: map projections; `hatching`: what a map does not cover.
+//! with the pattern lines of `ruling` and `tiles`; `grid`: orthogonal grids; `projection`: map projections, with the
+//! numbers of `projected`; `hatching`: what a map does not cover.
 
 mod drawing;
 mod flattened;
@@ -13,6 +14,7 @@ mod grid;
 mod hatching;
 mod numbers;
 mod polylines;
+mod projected;
 mod projection;
 mod ruling;
 mod tiles;
@@ -26,5 +28,6 @@ pub use grid::GridFormat;
 pub use hatching::{hatched, hatching};
 pub use numbers::{boundary_csv, mapped_obj};
 pub use polylines::Line;
-pub use projection::ProjectionFormat;
+pub use projected::ProjectionReport;
+pub use projection::{ProjectionFormat, ScaleLines, scale_lines};
 pub use ruling::Ruling;

@@ -28,13 +28,20 @@ const LABEL: f64 = 11.0;
 const LABELED: f64 = 6.0;
 
 impl ProjectionFormat {
+    /// All formats.
+    pub const ALL: [Self; 2] = [Self::Svg, Self::Csv];
+
+    /// The file extension.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Svg => "svg",
+        }
+    }
+
     /// The format with this file extension, in upper or lower case.
     pub fn from_extension(extension: &str) -> Option<Self> {
-        match extension.to_ascii_lowercase().as_str() {
-            "csv" => Some(Self::Csv),
-            "svg" => Some(Self::Svg),
-            _ => None,
-        }
+        Self::ALL.into_iter().find(|format| extension.eq_ignore_ascii_case(format.extension()))
     }
 
     /// The file of a projection.
@@ -87,24 +94,42 @@ fn path(text: &mut String, attributes: &str, placement: Placement, points: &[DVe
 /// A value and where it stands in the drawing.
 type Label = (String, DVec2);
 
+/// The lines on which the scale has a value.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct ScaleLines {
+    /// The value, as it is written.
+    pub label: String,
+    /// The lines.
+    pub lines: Vec<Line>,
+}
+
+/// The lines of equal scale of a projection, at about six round values, from the largest on.
+pub fn scale_lines(projection: &Projection) -> Vec<ScaleLines> {
+    let scales = projection.scales();
+    let (levels, decimals) = levels(projection.scale_ratio());
+    let of_level = |level: f64| ScaleLines {
+        label: format!("{level:.decimals$}"),
+        lines: level_lines(projection, &scales, level),
+    };
+    levels.into_iter().map(of_level).collect()
+}
+
 /// Draws the lines of equal scale; returns their labels.
 fn contours(text: &mut String, projection: &Projection, placement: Placement) -> Vec<Label> {
     let mut labels: Vec<Label> = Vec::new();
-    let scales = projection.scales();
-    let (levels, decimals) = levels(projection.scale_ratio());
     let _ = writeln!(text, "<g class=\"scale\" stroke=\"{}\" stroke-width=\"1\">", LINE_COLORS[0]);
-    for level in levels {
-        let lines = level_lines(projection, &scales, level);
+    for ScaleLines { label, lines } in scale_lines(projection) {
         for line in &lines {
             let points = placement.distinct(&line.points);
-            path(text, &format!("data-scale=\"{level:.decimals$}\""), placement, &points, line.is_closed);
+            path(text, &format!("data-scale=\"{label}\""), placement, &points, line.is_closed);
         }
         let drawn = lines.iter().map(|line| line.points.iter().map(|&p| placement.of(p)).collect::<Vec<_>>());
         let longest = drawn.max_by(|a, b| length(a).total_cmp(&length(b)));
         let Some(points) = longest.filter(|points| length(points) > LABELED * LABEL) else { continue };
         let top = points.iter().copied().min_by(|a, b| a.y.total_cmp(&b.y)).unwrap_or_default();
         if labels.iter().all(|(_, at)| (*at - top).abs().cmpgt(DVec2::new(3.0, 1.1) * LABEL).any()) {
-            labels.push((format!("{level:.decimals$}"), top));
+            labels.push((label, top));
         }
     }
     text.push_str("</g>\n");

@@ -2,10 +2,12 @@
 //! no English words and the same numbers.
 
 use super::{Language, Message, key};
-use crate::conformal::{PrepareSettings, Side};
+use crate::boundary_integral::BoundaryIntegralError;
+use crate::conformal::{Marks, PrepareSettings, QuadrilateralError, Side, rectangle_corners};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::mesh::{TriangleId, VertexId};
 use crate::outline::{Sampling, parse, sample};
+use crate::projection::{ProjectionError, Region};
 use crate::session::file::FileError;
 use crate::session::lesson::{LessonError, StepError};
 use crate::session::{Command, OutlineSpec, Session, file, link};
@@ -78,6 +80,36 @@ where
 }
 
 #[test]
+fn quadrilaterals_and_regions_without_a_map() {
+    for marks in [[0.0, f64::NAN, 0.5, 0.75], [0.0, 0.0, 0.5, 0.75], [0.0, 0.5, 0.25, 0.75]] {
+        german(&Marks::new(marks).unwrap_err());
+    }
+    for modulus in [1e8, 1e-8] {
+        german(&rectangle_corners(modulus).unwrap_err());
+    }
+    german(&QuadrilateralError::NoMiddle);
+    german(&QuadrilateralError::from(BoundaryIntegralError::TooManyUnknowns { needed: 5000, limit: 3072 }));
+    let ring = |points: &[[f64; 2]]| points.iter().copied().map(DVec2::from).collect::<Vec<_>>();
+    let regions: [&[&[[f64; 2]]]; 5] = [
+        &[&[[0.0, 0.0], [1.0, 0.0], [1.0, 95.0]]],
+        &[&[[0.0, 0.0], [400.0, 0.0], [1.0, 5.0]]],
+        &[&[[0.0, 0.0], [1.0, 0.0], [0.0, 0.0]]],
+        &[&[[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]]],
+        &[&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 0.0], [0.0, 4.0]]],
+    ];
+    for rings in regions {
+        let rings: Vec<Vec<DVec2>> = rings.iter().map(|points| ring(points)).collect();
+        match Region::new(&rings) {
+            Err(error) => german(&error),
+            Ok(region) => panic!("{rings:?} is a region of area {}", region.area()),
+        }
+    }
+    german(&ProjectionError::NearlyWholeSphere { clearance: 0.25 });
+    german(&ProjectionError::Cancelled);
+    german(&ProjectionError::NoBoundary);
+}
+
+#[test]
 fn files_that_are_no_outlines() {
     let files = [
         ("a.csv", "0,0\n1,0\n"),
@@ -135,7 +167,7 @@ fn notes_on_outlines() {
     ];
     let notes: Vec<_> =
         files.iter().flat_map(|text| parse("a.json", text.as_bytes()).unwrap().notes().to_vec()).collect();
-    assert_eq!(notes.len(), 4, "{notes:?}");
+    assert_eq!(notes.len(), 5, "{notes:?}");
     notes.iter().for_each(german);
 }
 

@@ -33,6 +33,8 @@ impl Model {
             Command::SetOutline { side, outline } => {
                 self.want_outline(side, outline, Vec::new());
             }
+            // what is opened comes with its pins, and only when its outline is prepared
+            pinned @ Command::PinOutline { .. } => self.open(&self.requested().and([pinned])),
             Command::ReshapeOutline { side, outline, interior, anchor } => {
                 self.reshape(side, outline, Reshaped { interior, anchor, in_hand: false, turned: false });
             }

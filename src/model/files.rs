@@ -1,4 +1,4 @@
-//! The kind of an opened file (outline, surface, image, session or lesson), from its purpose and its name; a lesson is
+//! The kind of an opened file (outline, surface, image, session, lesson or region), from its purpose and its name; a lesson is
 //! told by its first line, whatever its name.
 //!
 //! No file is parsed here: a side's worker parses outlines, surfaces and sessions, the platform decodes images.
@@ -23,6 +23,8 @@ pub enum FilePurpose {
     Session,
     /// As the lesson in its panel.
     Lesson,
+    /// As a region of the globe, to be mapped.
+    Region,
     /// As the own picture of a session that is opened with it.
     OfSession,
     /// Dropped over this side: the name decides.
@@ -42,6 +44,7 @@ pub fn kind_of_file(purpose: FilePurpose) -> Label {
         FilePurpose::Image | FilePurpose::OfSession | FilePurpose::Trace(_) => key::images(),
         FilePurpose::Session => key::sessions(),
         FilePurpose::Lesson => key::lessons(),
+        FilePurpose::Region => key::regions(),
         FilePurpose::Outline(_) | FilePurpose::Dropped(_) => key::outlines_and_surfaces(),
     }
 }
@@ -52,6 +55,7 @@ pub fn endings(purpose: FilePurpose) -> Vec<&'static str> {
         FilePurpose::Image | FilePurpose::OfSession | FilePurpose::Trace(_) => IMAGE_ENDINGS.to_vec(),
         FilePurpose::Session => vec![file::EXTENSION, lesson::EXTENSION],
         FilePurpose::Lesson => vec![lesson::EXTENSION],
+        FilePurpose::Region => vec!["geojson", "json"],
         FilePurpose::Outline(_) | FilePurpose::Dropped(_) => {
             [&OUTLINE_ENDINGS[..], &SURFACE_ENDINGS, &IMAGE_ENDINGS, &[file::EXTENSION]].concat()
         }
@@ -84,6 +88,8 @@ pub enum FileKind {
     Session,
     /// A lesson.
     Lesson,
+    /// A region of the globe, which changes nothing of the session.
+    Region,
 }
 
 impl FileKind {
@@ -97,6 +103,7 @@ impl FileKind {
             FilePurpose::Outline(side) if has_ending(name, &IMAGE_ENDINGS) => Self::Picture(side),
             FilePurpose::Session => Self::Session,
             FilePurpose::Lesson => Self::Lesson,
+            FilePurpose::Region => Self::Region,
             _ if has_ending(name, &[file::EXTENSION]) => Self::Session,
             FilePurpose::Outline(side) | FilePurpose::Dropped(side) => {
                 if has_ending(name, &SURFACE_ENDINGS) {
@@ -112,7 +119,7 @@ impl FileKind {
     pub fn side(self) -> Option<Side> {
         match self {
             Self::Outline(side) | Self::Surface(side) | Self::Trace(side) | Self::Picture(side) => Some(side),
-            Self::Texture | Self::Session | Self::Lesson => None,
+            Self::Texture | Self::Session | Self::Lesson | Self::Region => None,
         }
     }
 
@@ -123,6 +130,7 @@ impl FileKind {
             Self::Outline(_) | Self::Surface(_) | Self::Trace(_) => Touched::ANOTHER_SHAPE,
             Self::Picture(_) | Self::Texture => Touched::PATTERN,
             Self::Session | Self::Lesson => Touched::EVERYTHING,
+            Self::Region => Touched::NOTHING,
         }
     }
 }

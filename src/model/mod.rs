@@ -31,6 +31,7 @@ mod pinned;
 mod pins_seen;
 mod pointer;
 mod probe;
+mod quadrilateral;
 mod refresh;
 mod requested;
 pub mod scene;
@@ -394,6 +395,9 @@ mod either_side_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod pinned_tests;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+mod quadrilateral_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod refining_tests;

@@ -14,6 +14,9 @@ pub const PASTED: &str = "Pasted";
 /// The name of an outline that was traced from a picture without a name.
 pub const TRACED: &str = "Traced";
 
+/// The name of the rectangle of a marked outline.
+pub const RECTANGLE: &str = "Rectangle";
+
 /// The name of a preset.
 pub fn preset(preset: Preset) -> &'static str {
     match preset {

@@ -25,8 +25,8 @@ use std::sync::Arc;
 /// The result of parsing a file or a pasted text.
 #[derive(Debug)]
 pub enum Arrived {
-    /// An outline, which is now being prepared.
-    Outline(Origin),
+    /// An outline, which is now being prepared; and its file, if its coordinates may be longitudes and latitudes.
+    Outline(Origin, Option<NamedFile>),
     /// A surface, which is prepared and shown on its side.
     Surface,
     /// A session with its undo steps and its files, and the files that were opened after it; pass them to [`Model::open_later`] once it is open.
@@ -126,10 +126,11 @@ impl Model {
         let request = self.sides[side].reading.end();
         let Some(InFlight { opened, settings }) = request.under_way() else { return };
         let (origin, settings) = (opened.origin, *settings);
+        let geographic = outline.is_geographic().then(|| opened.file.clone());
         let notes = outline.notes().to_vec();
         self.replace_outline(side, outline.into(), notes);
         self.side_mut(side).take_over(&request, settings);
-        self.opening.arrived = Some(Arrived::Outline(origin));
+        self.opening.arrived = Some(Arrived::Outline(origin, geographic));
     }
 
     /// Reports a file that could not be read; the repaired outline, if any, is its quick fix.

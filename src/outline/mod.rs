@@ -100,6 +100,11 @@ impl Outline {
         self.polygon
     }
 
+    /// Whether its coordinates may be longitudes and latitudes.
+    pub fn is_geographic(&self) -> bool {
+        self.notes.contains(&OutlineNote::Geographic)
+    }
+
     /// Changes that the reader made, in the order in which it made them (largest of several rings, reversed, …).
     pub fn notes(&self) -> &[OutlineNote] {
         &self.notes
@@ -130,6 +135,8 @@ pub enum OutlineNote {
         /// Number of points dropped.
         dropped: usize,
     },
+    /// The points of a `GeoJSON` file, whose numbers may be longitudes and latitudes, were taken as plane coordinates.
+    Geographic,
 }
 
 impl fmt::Display for OutlineNote {
@@ -143,6 +150,7 @@ impl fmt::Display for OutlineNote {
                 "A repeated point or spike was cut off.",
                 "{dropped} points of loops and spikes were cut off."
             )),
+            Self::Geographic => f.write_str("Longitudes and latitudes were taken as plane coordinates."),
             Self::HolesIgnored { holes } => {
                 f.write_str(&counted!(*holes, "A hole was left out.", "{holes} holes were left out."))
             }

@@ -81,6 +81,9 @@ pub enum ProjectionError {
     /// The boundary in stereographic coordinates is no polygon for another reason.
     #[error("the boundary cannot be used: {0}")]
     Polygon(PolygonError),
+    /// The computation was cancelled.
+    #[error("the computation was cancelled")]
+    Cancelled,
     /// The region cannot be triangulated.
     #[error("the region cannot be triangulated: {0}")]
     Mesh(#[from] MeshError),

@@ -13,6 +13,7 @@
 //! | `arcs`, `potential` | log f′ as a polynomial and poles outside, by least squares on the boundary |
 //! | `development` | f by integration of f′, on a mesh and from there anywhere inside |
 //! | `cap`, `stereographic` | the best stereographic projection, to compare with |
+//! | `example` | an island by formula |
 //! | `graticule` | lines and lattices of longitude and latitude |
 //!
 //! The map is conformal to rounding, since f′ is a formula, and its ratio of scales is never larger than the best
@@ -24,6 +25,7 @@ mod arcs;
 mod cap;
 mod development;
 mod error;
+mod example;
 mod graticule;
 mod potential;
 mod region;
@@ -39,6 +41,7 @@ use crate::geometry::{DVec2, PolygonError, SimplePolygon};
 use crate::mesh::{TriMesh, TriangleId, locate};
 use development::Development;
 pub use error::{Contact, ProjectionError};
+pub use example::island;
 pub use graticule::{Graticule, LatticePoint};
 pub use region::{LEAST_CLEARANCE, Region, Selection};
 pub use ring::Place;
@@ -63,6 +66,9 @@ pub struct Projection {
     is_stereographic: bool,
 }
 
+/// The share of the work that the fit takes, roughly: its least squares are solved up to thirty times.
+const FITTED: f64 = 0.75;
+
 /// log λ(z) − log 2.
 fn log_metric(z: DVec2) -> f64 {
     -z.length_squared().ln_1p()
@@ -74,10 +80,17 @@ impl Projection {
     ///
     /// Cost: some seconds for boundaries with many corners.
     pub fn new(region: Region) -> Result<Self, ProjectionError> {
+        Self::telling(region, &mut |_| true)
+    }
+
+    /// As [`Self::new`]; `progress` is called with the share that is done, which may also fall, and returns whether to go on.
+    /// Errors: also [`ProjectionError::Cancelled`], if it said no.
+    pub fn telling(region: Region, progress: &mut dyn FnMut(f64) -> bool) -> Result<Self, ProjectionError> {
         let stereographic = stereographic::best(&region);
         // in these coordinates the best stereographic projection is f(z) = z
         let region = region.about(on_sphere(stereographic.center))?;
-        let fitted = Self::developed(region.clone(), stereographic, potential::fit(&region, &log_metric))?;
+        let fitted = potential::fit(&region, &log_metric, &mut |done| progress(FITTED * done));
+        let fitted = Self::developed(region.clone(), stereographic, fitted.ok_or(ProjectionError::Cancelled)?)?;
         if fitted.scale_ratio() <= stereographic.ratio {
             return Ok(fitted);
         }

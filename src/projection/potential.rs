@@ -81,14 +81,22 @@ impl Potential {
     }
 }
 
-/// Fits Re Φ to `values` on the boundary of a region.
-pub fn fit(region: &Region, values: &(dyn Fn(DVec2) -> f64 + Sync)) -> Fitted {
+/// Fits Re Φ to `values` on the boundary of a region. `progress` is called before each round with the share that is done
+/// and returns whether to go on; `None` if it said no.
+pub fn fit(
+    region: &Region,
+    values: &(dyn Fn(DVec2) -> f64 + Sync),
+    progress: &mut dyn FnMut(f64) -> bool,
+) -> Option<Fitted> {
     let mut arcs = Arcs::new(region);
     let magnitude = region.polygon().vertices().iter().map(|&z| values(z).abs()).fold(f64::MIN_POSITIVE, f64::max);
     let radius = region.polygon().vertices().iter().map(|z| z.length()).fold(0.0, f64::max);
     let mut best: Option<Fitted> = None;
     let mut idle = 0;
     for _ in 0..ROUNDS {
+        if !progress(best.as_ref().map_or(0.0, |best| share_done(best.residual / magnitude))) {
+            return None;
+        }
         let poles = arcs.poles(region);
         let potential = least_squares(&arcs, &poles, radius, &|z| values(z) / magnitude, magnitude);
         let off = |z: DVec2| Some((potential.value(z).re - values(z)).abs()).filter(|off| !off.is_nan());
@@ -111,7 +119,12 @@ pub fn fit(region: &Region, values: &(dyn Fn(DVec2) -> f64 + Sync)) -> Fitted {
         let chosen: Vec<(usize, f64)> = chosen.into_iter().map(|k| (k, residuals[k].1)).collect();
         arcs.bisect(&chosen, DEPTH);
     }
-    best.unwrap_or_else(|| constant(region, values))
+    best.or_else(|| Some(constant(region, values)))
+}
+
+/// How far a residual has come from 1 to [`ENOUGH`], on a logarithmic scale.
+fn share_done(residual: f64) -> f64 {
+    (residual.ln() / ENOUGH.ln()).clamp(0.0, 1.0)
 }
 
 /// The constant that is nearest to `values` on the boundary's vertices.

@@ -17,6 +17,12 @@ pub enum Command {
         side: Side,
         outline: OutlineSpec,
     },
+    /// Replaces the outline of a side, as [`Self::SetOutline`], and lets pins on it determine the map, in one step.
+    PinOutline {
+        side: Side,
+        outline: OutlineSpec,
+        pins: Pins,
+    },
     /// Replaces the outline by an edited form of it, with the points carried along. A surface stays.
     ReshapeOutline {
         side: Side,
@@ -100,7 +106,7 @@ impl Command {
     /// [`Session::touched_by`] says where the session alone cannot.
     pub fn touches(&self) -> Touched {
         match self {
-            Self::SetOutline { .. } | Self::SetSurface { .. } => Touched::ANOTHER_SHAPE,
+            Self::SetOutline { .. } | Self::PinOutline { .. } | Self::SetSurface { .. } => Touched::ANOTHER_SHAPE,
             Self::CloseSurface(_) => Touched::SHAPES | Touched::POINTS,
             Self::ReshapeOutline { .. } => Touched::SHAPES, // its points are carried along
             Self::Swap => Touched::SHAPES | Touched::POINTS | Touched::SETTINGS | Touched::COMPARISON,
@@ -149,6 +155,10 @@ impl Session {
                 self.pins = None;
                 self.sides[side] = SideState::new(outline, settings);
                 self.sides[side].place(SidePoints::Outline { interior: None, anchor });
+            }
+            Command::PinOutline { side, outline, pins } => {
+                self.apply(Command::SetOutline { side, outline });
+                self.pins = Some(pins);
             }
             Command::ReshapeOutline { side, outline, interior, anchor } => {
                 self.sides[side].domain.outline = outline;

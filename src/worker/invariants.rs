@@ -68,10 +68,14 @@ pub struct FoundInvariants {
     pub unknowns: [usize; 2],
 }
 
+/// The number, or the largest one in place of an infinite one: text has no infinities.
+pub(super) fn finite(x: f64) -> f64 {
+    if x.is_finite() { x } else { f64::MAX }
+}
+
 impl From<Estimate> for Number {
-    /// A bound that is not finite becomes the largest number: text has no infinities.
+    /// A bound that is not finite becomes the largest number.
     fn from(Estimate { value, error }: Estimate) -> Self {
-        let finite = |x: f64| if x.is_finite() { x } else { f64::MAX };
         Self { value: finite(value), error: finite(error) }
     }
 }

@@ -5,8 +5,10 @@
 
 mod file;
 mod formula;
+mod grid;
 mod invariants;
 mod packed;
+mod projection;
 mod rehearsal;
 mod sketch;
 mod study;
@@ -16,8 +18,10 @@ mod transfer;
 
 pub use file::{FlatArchive, FlatOutline, NamedFile, Unread};
 pub use formula::{FormulaTask, FoundFormula};
+pub use grid::{FoundGrid, GridContent, GridTask};
 pub use invariants::{FoundInvariants, InvariantsTask, Number, StudiedOutline};
 pub use packed::{packed, unpacked};
+pub use projection::{DrawnScale, FoundProjection, Land, ProjectionTask};
 pub use rehearsal::rehearsal;
 pub use sketch::{Place, Sketch};
 pub use study::{Advance, Finding, Study};

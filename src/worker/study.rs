@@ -1,15 +1,17 @@
 //! Longer computations besides the map: rows of the paper's tables, of its convergence figure, and of the plot of
-//! accuracy; the invariants and the symmetries of an outline; the formula of a map.
+//! accuracy; the invariants and the symmetries of an outline; the formula of a map; orthogonal grids; map projections.
 //!
 //! A study is requested row by row, so that finished rows can be shown and the others canceled.
 
 use super::formula::{FormulaTask, FoundFormula};
+use super::grid::{FoundGrid, GridTask};
 use super::invariants::{FoundInvariants, InvariantsTask, StudiedOutline};
+use super::projection::{FoundProjection, ProjectionTask};
 use super::symmetry::FoundSymmetries;
 use crate::figures::{BenchRow, ConvergenceRow, ConvergenceStudy, Detail, FigureError, LadderRow, Measurement, Rung};
 use crate::language::{Message, key};
 
-/// One row of a study, the invariants or the symmetries of an outline, or the formula of a map.
+/// One row of a study, or what its worker computes as a whole.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Study {
@@ -36,6 +38,10 @@ pub enum Study {
     Symmetry(Box<StudiedOutline>),
     /// The file of a map as a formula.
     Formula(Box<FormulaTask>),
+    /// The orthogonal grid of a marked outline.
+    Grid(Box<GridTask>),
+    /// The map projection of a region.
+    Projection(Box<ProjectionTask>),
 }
 
 /// The result of a study.
@@ -54,6 +60,10 @@ pub enum Finding {
     Symmetry(Box<FoundSymmetries>),
     /// The file of a map as a formula.
     Formula(Box<FoundFormula>),
+    /// The orthogonal grid of a marked outline.
+    Grid(Box<FoundGrid>),
+    /// The map projection of a region.
+    Projection(Box<FoundProjection>),
     /// The share that is done; more findings of the same study follow.
     Progress(f64),
     /// Why there is no result.
@@ -105,8 +115,8 @@ impl Advance {
 }
 
 impl Study {
-    /// Runs the study. A formula calls `report` with the share that is done, which may also fall, and ends if that returns
-    /// false; then there is no finding.
+    /// Runs the study. A formula, a grid and a projection call `report` with the share that is done, which may also fall,
+    /// and end if that returns false; then there is no finding.
     pub fn run(&self, report: &mut dyn FnMut(f64) -> bool) -> Option<Finding> {
         Some(match self {
             Self::Invariants(task) => {
@@ -119,6 +129,14 @@ impl Study {
                 Ok(found) => Finding::Formula(Box::new(found?)),
                 Err(reason) => Finding::Failed(reason),
             },
+            Self::Grid(task) => match task.run(report) {
+                Ok(found) => Finding::Grid(Box::new(found?)),
+                Err(reason) => Finding::Failed(reason),
+            },
+            Self::Projection(task) => match task.run(report) {
+                Ok(found) => Finding::Projection(Box::new(found?)),
+                Err(reason) => Finding::Failed(reason),
+            },
             _ => self.try_run().unwrap_or_else(|error| Finding::Failed(Message::from(&error))),
         })
     }
@@ -129,7 +147,9 @@ impl Study {
                 Some(measurement) => Finding::Bench(measurement),
                 None => Finding::Failed(key::no_such_row().into()),
             },
-            Self::Invariants(_) | Self::Symmetry(_) | Self::Formula(_) => Finding::Failed(key::no_such_row().into()),
+            Self::Invariants(_) | Self::Symmetry(_) | Self::Formula(_) | Self::Grid(_) | Self::Projection(_) => {
+                Finding::Failed(key::no_such_row().into())
+            }
             Self::Ladder { rung } => Finding::Ladder(Box::new(rung.measure(1)?)),
             Self::Convergence { m } => Finding::Convergence(ConvergenceStudy::new(Detail::Paper)?.rows(m)?.to_vec()),
         })

@@ -60,7 +60,7 @@ impl Bench {
             run(&request, &mut |generation, response| {
                 self.model.accept(side, generation, response);
                 match self.model.take_arrived() {
-                    Some(Arrived::Outline(_)) => self.editor.end_paste(&mut self.model, &mut self.views),
+                    Some(Arrived::Outline(..)) => self.editor.end_paste(&mut self.model, &mut self.views),
                     Some(Arrived::NoOutline(side, why)) => self.editor.refuse_paste(side, why),
                     _ => {}
                 }

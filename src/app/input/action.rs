@@ -2,12 +2,14 @@
 
 use crate::app::input::preferences::{Habit, Preferences};
 use crate::conformal::Side;
+use crate::export::ProjectionFormat;
 use crate::figures::LadderShape;
 use crate::geometry::DVec2;
 use crate::model::best::BestAction;
 use crate::model::editing::{Change, Hold, Pen};
 use crate::model::motion::PlayAction;
 use crate::model::overlays::invariants::InvariantsAction;
+use crate::model::overlays::orthogonal_grid::GridAction;
 use crate::model::overlays::walks::WalkAction;
 use crate::session::{Command, Touched};
 
@@ -66,6 +68,10 @@ pub enum Action {
     DismissMessage,
     /// Change which invariants are computed.
     Invariants(InvariantsAction),
+    /// Show, change or save an orthogonal grid.
+    Grid(GridAction),
+    /// An action of the window of map projections.
+    Projection(ProjectionAction),
     /// An action of the export window.
     Export(ExportAction),
     /// Start or stop the motion of the points, or change its path or period.
@@ -134,6 +140,8 @@ impl Action {
             | Self::Export(_)
             | Self::Walks(_)
             | Self::Invariants(_)
+            | Self::Grid(_)
+            | Self::Projection(_)
             | Self::Explore(
                 ExploreAction::Shortcuts
                 | ExploreAction::Close
@@ -306,6 +314,25 @@ pub enum ExportAction {
     /// Close the message in the window.
     DismissError,
     /// Cancel the export under way and close the window.
+    Close,
+}
+
+/// The actions of the window of map projections.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ProjectionAction {
+    /// Show the window.
+    Open,
+    /// Show the dialog that opens a region's file.
+    OpenFile,
+    /// Map the island by formula.
+    Island,
+    /// Map the file that was opened as an outline.
+    Offered,
+    /// Save the map.
+    Save(ProjectionFormat),
+    /// Cancel the computation.
+    Cancel,
+    /// Cancel the computation and close the window.
     Close,
 }
 

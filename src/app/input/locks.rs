@@ -84,7 +84,9 @@ impl Control {
     fn of_screen(action: &Action) -> Option<Self> {
         match action {
             Action::Fit(_) => Some(Self::View),
-            Action::OpenReport(_) | Action::Walks(_) | Action::Invariants(_) => Some(Self::Comparison),
+            Action::OpenReport(_) | Action::Walks(_) | Action::Invariants(_) | Action::Grid(_) => {
+                Some(Self::Comparison)
+            }
             Action::Prefer(_) => Some(Self::Theme),
             Action::TogglePanels | Action::ToggleColumn => Some(Self::Panels),
             _ => None,

@@ -65,10 +65,15 @@ pub fn outline(outline: &OutlineSpec) -> Cow<'_, str> {
     name.strip_suffix(names::EDITED).map_or(said(name).into(), |name| say(&key::edited_name(said(name))).into())
 }
 
-/// Translates a name that riemap itself gives (presets, drawn, pasted, traced); other names are returned unchanged. A
+/// Translates a name that riemap itself gives (presets, drawn, pasted, traced, the rectangle of marks); other names are returned unchanged. A
 /// file with such a name is translated too.
 fn said(name: &str) -> &str {
-    let given = [(names::DRAWN, key::drawn()), (names::PASTED, key::pasted()), (names::TRACED, key::traced())];
+    let given = [
+        (names::DRAWN, key::drawn()),
+        (names::PASTED, key::pasted()),
+        (names::TRACED, key::traced()),
+        (names::RECTANGLE, key::rectangle()),
+    ];
     let presets = Preset::ALL.map(|preset| (names::preset(preset), language::preset(preset)));
     let own = given.into_iter().chain(presets).find(|(own, _)| *own == name);
     own.map_or(name, |(_, label)| tr(label))

@@ -1,6 +1,6 @@
-//! The file menu: undo, redo, new, open, save, link, export, full screen, presentation; and its shortcuts.
+//! The file menu: undo, redo, new, open, save, link, lesson, map projection, export, full screen, presentation; and its shortcuts.
 
-use crate::app::input::action::{Action, Actions, ExportAction, LessonAction, ShareAction};
+use crate::app::input::action::{Action, Actions, ExportAction, LessonAction, ProjectionAction, ShareAction};
 use crate::app::input::locks::menu_entry;
 use crate::app::input::presentation;
 use crate::app::theme::text_metrics::{BELOW_BAR, scroll_beyond};
@@ -96,6 +96,11 @@ fn entries([can_undo, can_redo]: [bool; 2], context: &Context) -> Vec<(Entry, bo
         (entry(key::save_session(), key::save_session_tooltip(), Some(SAVE)), true, Action::SaveSession),
         (entry(key::share_link(), LINK_TOOLTIP, None), true, Action::Share(ShareAction::Open)),
         (entry(key::make_lesson(), key::make_lesson_tooltip(), None), true, Action::Lesson(LessonAction::Open)),
+        (
+            entry(key::map_projection(), key::map_projection_tooltip(), None),
+            true,
+            Action::Projection(ProjectionAction::Open),
+        ),
         (entry(key::open_export(), EXPORT_TOOLTIP, Some(EXPORT)), true, Action::Export(ExportAction::Open)),
     ];
     if platform::has_full_screen() {

@@ -4,6 +4,7 @@
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::language::words;
+use crate::app::panels::quadrilateral_panel;
 use crate::app::theme::Palette;
 use crate::app::theme::explained::explained_heading;
 use crate::app::theme::number_field::{number_field, spoken};
@@ -13,7 +14,7 @@ use crate::language::{Label, decimal, key, number, say, tr};
 use crate::model::Model;
 use crate::model::overlays::invariants::{InvariantsAction, SideInvariants};
 use crate::worker::{FoundInvariants, Number};
-use egui::{Grid, RichText, Ui, WidgetInfo};
+use egui::{Grid, RichText, ScrollArea, Ui, WidgetInfo};
 
 /// Measures beyond this number of arcs are not listed.
 const MOST_ARCS: usize = 12;
@@ -39,6 +40,9 @@ pub fn show(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
         marks(ui, side, asked, &mut wanted);
         second_point(ui, side, asked, model, &mut wanted);
         result(ui, side, model);
+        if asked.marks.is_some() {
+            quadrilateral_panel::show(ui, side, model, actions);
+        }
     }
     actions.extend(wanted.into_iter().map(Action::Invariants));
 }
@@ -91,7 +95,8 @@ fn second_point(ui: &mut Ui, side: Side, asked: &SideInvariants, model: &Model, 
 fn result(ui: &mut Ui, side: Side, model: &Model) {
     let palette = Palette::of(ui.visuals());
     match model.invariants(side) {
-        Some(Ok(found)) => table(ui, found),
+        // the numbers may be wider than the column, which they must not widen
+        Some(Ok(found)) => _ = ScrollArea::horizontal().id_salt("numbers").show(ui, |ui| table(ui, found)),
         Some(Err(reason)) => {
             ui.label(RichText::new(say(reason)).small().color(palette.error_edge));
         }

@@ -6,12 +6,12 @@
 //! | which map: by points or by pins | `pins_panel` |
 //! | the best map of the family | `best_panel` |
 //! | the boundary loops of a surface | `loops_panel` |
-//! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `symmetry_panel`, `invariants_panel` |
+//! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `symmetry_panel`, `invariants_panel`, `quadrilateral_panel` |
 //! | the welcome of the first visit | `welcome` |
 //! | the hyperbolic tiling; the placement of the texture's picture | `tiling_panel`, `picture_panel` |
 //! | title, buttons, messages and legend of a picture | `header` |
 //! | the menu of outlines and surfaces | `shapes` |
-//! | the offer to trace a picture | `offer` |
+//! | the offers to trace a picture and to map a region | `offer` |
 
 mod advanced;
 pub mod best_panel;
@@ -24,6 +24,7 @@ pub mod offer;
 mod picture_panel;
 pub mod pins_panel;
 pub mod play_panel;
+pub mod quadrilateral_panel;
 pub mod shapes;
 pub mod side_panel;
 mod sketch;

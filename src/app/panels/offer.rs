@@ -1,68 +1,103 @@
 //! The offer to trace the outline of an image: of one that has just become the texture, or, as a question that waits for
-//! its answer, of one that was opened as an outline.
+//! its answer, of one that was opened as an outline; and the offer to show the file of an outline as a map of the globe.
 
-use crate::app::input::action::{Action, Actions};
+use crate::app::input::action::{Action, Actions, ProjectionAction};
 use crate::app::input::locks::menu_entry;
 use crate::app::theme::{ROW_HEIGHT, control_height};
 use crate::conformal::Side;
-use crate::language::{key, say, tr};
+use crate::language::{Label, key, say, tr};
 use crate::model::editing::tracing;
 use crate::model::files;
 use crate::model::files::Picture;
 use crate::model::side::user_error::UserError;
 use crate::outline::Outline;
 use crate::session::file::Attachment;
+use crate::worker::NamedFile;
 use egui::{Button, Ui, vec2};
 
 /// How long the offer is shown, in seconds: a sentence and two buttons are read in five.
 const SECONDS: f64 = 12.0;
 
-/// An image that can be traced.
+/// An offer below the pictures.
 pub struct Offer {
-    side: Side,
-    /// The image at the resolution of the tracing.
-    picture: Picture,
-    /// The image and its file, if it is not in use yet: then the offer is a question.
-    unused: Option<(Picture, Attachment)>,
+    offered: Offered,
     /// The time at which the offer expires, in seconds; set when it is first shown.
     until: Option<f64>,
+}
+
+enum Offered {
+    /// An image can be traced.
+    Tracing {
+        side: Side,
+        /// The image at the resolution of the tracing.
+        picture: Picture,
+        /// The image and its file, if it is not in use yet: then the offer is a question.
+        unused: Option<(Picture, Attachment)>,
+    },
+    /// The file of an outline can be shown as a map of the globe.
+    Projection(NamedFile),
+}
+
+impl From<Offered> for Offer {
+    fn from(offered: Offered) -> Self {
+        Self { offered, until: None }
+    }
 }
 
 impl Offer {
     /// Keeps the image at the resolution of the tracing, at most [`tracing::MAX_SIDE`] pixels on its longer side.
     pub fn new(side: Side, picture: &Picture) -> Self {
-        let (width, height) = picture.pixels.dimensions();
-        let pixels = match width.max(height) {
-            0..=tracing::MAX_SIDE => picture.pixels.clone(),
-            largest => {
-                let scaled = |length: u32| (length * tracing::MAX_SIDE / largest).max(1);
-                image::imageops::thumbnail(&picture.pixels, scaled(width), scaled(height))
-            }
-        };
-        Self { side, picture: Picture { name: picture.name.clone(), pixels }, unused: None, until: None }
+        Offered::Tracing { side, picture: reduced(picture), unused: None }.into()
     }
 
     /// Asks whether the image is to be traced or to become the texture.
     pub fn question(side: Side, picture: Picture, file: Attachment) -> Self {
-        let offer = Self::new(side, &picture);
-        Self { unused: Some((picture, file)), ..offer }
+        Offered::Tracing { side, picture: reduced(&picture), unused: Some((picture, file)) }.into()
+    }
+
+    /// Offers to show a file as a map.
+    pub fn to_project(file: NamedFile) -> Self {
+        Offered::Projection(file).into()
     }
 
     /// The image and its file, if the offer is a question.
     pub fn into_unused(self) -> Option<(Picture, Attachment)> {
-        self.unused
+        if let Offered::Tracing { unused, .. } = self.offered { unused } else { None }
     }
 
-    /// Traces the image; returns the side that the outline is for.
-    pub fn accept(&self) -> (Side, Result<Outline, UserError>) {
-        (self.side, files::traced(&self.picture))
+    /// The file that can be shown as a map.
+    pub fn into_region(self) -> Option<NamedFile> {
+        if let Offered::Projection(file) = self.offered { Some(file) } else { None }
     }
+
+    /// Traces the image, if the offer is one to do so; returns the side that the outline is for.
+    pub fn accept(&self) -> Option<(Side, Result<Outline, UserError>)> {
+        let Offered::Tracing { side, picture, .. } = &self.offered else { return None };
+        Some((*side, files::traced(picture)))
+    }
+
+    fn is_question(&self) -> bool {
+        matches!(self.offered, Offered::Tracing { unused: Some(_), .. })
+    }
+}
+
+/// The image at the resolution of the tracing.
+fn reduced(picture: &Picture) -> Picture {
+    let (width, height) = picture.pixels.dimensions();
+    let pixels = match width.max(height) {
+        0..=tracing::MAX_SIDE => picture.pixels.clone(),
+        largest => {
+            let scaled = |length: u32| (length * tracing::MAX_SIDE / largest).max(1);
+            image::imageops::thumbnail(&picture.pixels, scaled(width), scaled(height))
+        }
+    };
+    Picture { name: picture.name.clone(), pixels }
 }
 
 /// Removes an expired offer that is no question, but not while a pointer button is down: the pictures grow when the offer goes, which
 /// would move what is being dragged.
 pub fn expire(ui: &Ui, offer: &mut Option<Offer>) {
-    let Some(standing) = offer.as_mut().filter(|offer| offer.unused.is_none()) else { return };
+    let Some(standing) = offer.as_mut().filter(|offer| !offer.is_question()) else { return };
     let (now, held) = ui.input(|input| (input.time, input.pointer.any_down()));
     let left = *standing.until.get_or_insert(now + SECONDS) - now;
     if left > 0.0 {
@@ -72,28 +107,45 @@ pub fn expire(ui: &Ui, offer: &mut Option<Offer>) {
     }
 }
 
-/// Shows the offer, or the question with its three answers.
+/// Shows the offer with its answers.
 pub fn show(ui: &mut Ui, offer: &Offer, actions: &mut Actions) {
+    let (asked, answers, dismiss) = words(offer);
     let height = control_height(ui, ROW_HEIGHT);
     let button = |words| Button::new(tr(words)).min_size(vec2(40.0, height));
-    let is_question = offer.unused.is_some();
-    let (asked, trace, dismiss) = if is_question {
-        (say(&key::picture_opened(&*offer.picture.name)), key::trace_silhouette(), key::cancel())
-    } else {
-        (tr(key::picture_texture()).to_owned(), key::trace_outline(), key::no())
-    };
     ui.horizontal_wrapped(|ui| {
         ui.label(asked);
-        if menu_entry(ui, true, button(trace), key::trace_picture_tooltip(), &Action::TraceImage) {
-            actions.push(Action::TraceImage);
-        }
-        if is_question
-            && menu_entry(ui, true, button(key::use_picture()), key::use_picture_tooltip(), &Action::UseImage)
-        {
-            actions.push(Action::UseImage);
+        for (label, tooltip, action) in answers {
+            if menu_entry(ui, true, button(label), tooltip, &action) {
+                actions.push(action);
+            }
         }
         if ui.add(button(dismiss)).clicked() {
             actions.push(Action::DismissOffer);
         }
     });
+}
+
+/// The label of an answer, its tooltip, and what it does.
+type Answer = (Label, Label, Action);
+
+/// The question, its answers, and the label of the one that declines.
+fn words(offer: &Offer) -> (String, Vec<Answer>, Label) {
+    let trace = |label: Label| (label, key::trace_picture_tooltip(), Action::TraceImage);
+    match &offer.offered {
+        Offered::Tracing { picture, unused: Some(_), .. } => {
+            let answers = vec![
+                trace(key::trace_silhouette()),
+                (key::use_picture(), key::use_picture_tooltip(), Action::UseImage),
+            ];
+            (say(&key::picture_opened(&*picture.name)), answers, key::cancel())
+        }
+        Offered::Tracing { .. } => {
+            (tr(key::picture_texture()).to_owned(), vec![trace(key::trace_outline())], key::no())
+        }
+        Offered::Projection(_) => {
+            let action = Action::Projection(ProjectionAction::Offered);
+            let answers = vec![(key::project_it(), key::project_it_tooltip(), action)];
+            (tr(key::looks_geographic()).to_owned(), answers, key::no())
+        }
+    }
 }

@@ -4,6 +4,7 @@ mod best;
 pub mod pointed;
 pub mod stats;
 mod symmetries;
+pub mod window_stats;
 
 use super::theme::{self, Palette};
 use crate::app::language::words;

@@ -3,6 +3,7 @@
 use crate::app::editing::EditingStats;
 use crate::app::status::best::BestStats;
 use crate::app::status::symmetries::SymmetryStats;
+use crate::app::status::window_stats::WindowStats;
 use crate::conformal::{FrameTimings, KernelMode, PerSide, PrepareTimings, Side};
 use crate::geometry::DVec2;
 use crate::language::Message;
@@ -10,9 +11,8 @@ use crate::model::overlays::disk_comparison::Found;
 use crate::model::{ErrorBounds, Model, PointedImage, Processor, SideKernel};
 use crate::outline::Interpreted;
 use crate::session::{Colouring, DiskWay};
-use crate::worker::FoundInvariants;
+use crate::worker::{FoundGrid, FoundInvariants, Number};
 use serde::Serialize;
-use std::collections::BTreeMap;
 
 /// The size of a prepared domain; zeros until it is prepared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
@@ -157,6 +157,21 @@ pub struct OverlayStats {
     pub invariants: [Option<Result<FoundInvariants, String>>; 2],
     /// The symmetries of both outlines, where they are shown and found.
     pub symmetries: [Option<SymmetryStats>; 2],
+    /// The orthogonal grids of both sides, where they are shown and there; a text is why not.
+    pub grids: [Option<Result<GridStats, String>>; 2],
+    /// The number of grid lines over each picture.
+    pub grid_lines: [usize; 2],
+}
+
+/// An orthogonal grid.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct GridStats {
+    /// The modulus between the marks.
+    pub modulus: Number,
+    /// The estimated error of a node.
+    pub image_error: f64,
+    /// The largest deviation of its angles from 90°, in degrees.
+    pub angle_deviation: Option<f64>,
 }
 
 /// What the screen knows and the model does not.
@@ -203,39 +218,6 @@ pub struct PlotStats {
     pub marked_boundary: Option<[f64; 2]>,
     /// How far the reparameterisation in the plot is from the exact one, where that is known, as a part of the length.
     pub exact_difference: Option<f64>,
-}
-
-/// The windows over the pictures.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct WindowStats {
-    /// Where the controls of the window of exports are, by name; `None` while it is closed.
-    pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
-    /// How many pictures of how many are made, while they are.
-    pub export_count: Option<[u32; 2]>,
-    /// The progress of a formula, and what the last one reached.
-    pub formula: FormulaStats,
-    /// The link that the window "Share" shows; `None` while it is closed.
-    pub share: Option<ShareStats>,
-    /// Where the windows that are open are closed, by name.
-    pub close: BTreeMap<&'static str, [f32; 2]>,
-}
-
-/// A link that is shared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct ShareStats {
-    /// The length of the address.
-    pub bytes: usize,
-    /// The modules along an edge of its QR code; `None` where the link is too long for one.
-    pub modules: Option<usize>,
-}
-
-/// A formula that is computed or was computed.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct FormulaStats {
-    /// The share that is done, while it is computed.
-    pub progress: Option<f64>,
-    /// What the last one reached, in English.
-    pub reached: Vec<String>,
 }
 
 /// What is on the screen now. A page gets one object with the keys of all parts.
@@ -336,7 +318,13 @@ fn overlays(model: &Model) -> OverlayStats {
         best: BestStats::of(model),
         invariants: Side::BOTH.map(|side| Some(model.invariants(side)?.clone().map_err(|reason| reason.english()))),
         symmetries: Side::BOTH.map(|side| Some(SymmetryStats::of(&model.symmetries(side)?.as_ref().ok()?.symmetries))),
+        grids: Side::BOTH.map(|side| Some(model.grid(side)?.as_ref().map(grid).map_err(Message::english))),
+        grid_lines: Side::BOTH.map(|side| model.grid_lines(side).len()),
     }
+}
+
+fn grid(&FoundGrid { modulus, image_error, angle_deviation, .. }: &FoundGrid) -> GridStats {
+    GridStats { modulus, image_error, angle_deviation }
 }
 
 fn comparison(model: &Model, way: DiskWay) -> Option<ComparisonStats> {
@@ -378,7 +366,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 50] = [
+    const KEYS: [&str; 53] = [
         "backend",
         "best",
         "boundary_checksum",
@@ -399,6 +387,8 @@ mod tests {
         "formula",
         "frame_ms",
         "generation",
+        "grid_lines",
+        "grids",
         "handles",
         "image",
         "image_of_mapped_point",
@@ -414,6 +404,7 @@ mod tests {
         "pointed",
         "prepare_ms",
         "preparing",
+        "projection",
         "q_max",
         "q_mean",
         "ready",

@@ -11,6 +11,7 @@ mod lessons;
 mod locks;
 mod panels;
 mod playing;
+mod quadrilaterals;
 mod surfaces;
 mod symmetry;
 mod tour;

@@ -78,28 +78,34 @@ const MEASURED: usize = 2048;
 const DRAWN: u32 = 128;
 
 impl RectangleMap<'_> {
-    /// The grid with these numbers of cells. `progress` is called with the completed fraction.
-    pub fn grid(&self, cells: GridCells, progress: &mut dyn FnMut(f64)) -> OrthogonalGrid {
+    /// The grid with these numbers of cells. `progress` is called with the completed fraction and returns whether to go
+    /// on; `None` if it said no.
+    pub fn grid(&self, cells: GridCells, progress: &mut dyn FnMut(f64) -> bool) -> Option<OrthogonalGrid> {
         let steps @ [n, m] = cells.0;
         let (mut nodes, mut image_error) = (Vec::new(), 0.0_f64);
         for j in 0..=m {
-            progress(f64::from(j) / f64::from(m + 1));
+            if !progress(f64::from(j) / f64::from(m + 1)) {
+                return None;
+            }
             let image = |i: u32| self.image_with_error(Place { steps, at: [i, j] });
             let row: Vec<(DVec2, f64)> = (0..=n).into_par_iter().map(image).collect();
             image_error = row.iter().map(|(_, error)| *error).fold(image_error, f64::max);
             nodes.extend(row.into_iter().map(|(node, _)| node));
         }
-        OrthogonalGrid { cells, nodes, image_error, deviation: self.deviation(steps) }
+        Some(OrthogonalGrid { cells, nodes, image_error, deviation: self.deviation(steps) })
     }
 
     /// The lines of a grid inside, for drawing: those of constant j in the first list, those of constant i in the second,
-    /// divided further where their nodes are few.
-    pub fn lines(&self, cells: GridCells) -> [Vec<Vec<DVec2>>; 2] {
+    /// divided further where their nodes are few. Of the first list only every `stride[0]`-th line, of the second every
+    /// `stride[1]`-th.
+    pub fn lines(&self, cells: GridCells, stride: [u32; 2]) -> [Vec<Vec<DVec2>>; 2] {
         let [n, m] = cells.0;
+        let every = |stride: u32, count: u32| -> Vec<u32> { (1..count).filter(|k| k % stride == 0).collect() };
         let [fine_n, fine_m] = cells.0.map(|count| count * DRAWN.div_ceil(count));
         let row = |j: u32| (0..=fine_n).map(|i| self.image(Place { steps: [fine_n, m], at: [i, j] })).collect();
         let column = |i: u32| (0..=fine_m).map(|j| self.image(Place { steps: [n, fine_m], at: [i, j] })).collect();
-        [(1..m).into_par_iter().map(row).collect(), (1..n).into_par_iter().map(column).collect()]
+        let [rows, columns] = [every(stride[0], m), every(stride[1], n)];
+        [rows.into_par_iter().map(row).collect(), columns.into_par_iter().map(column).collect()]
     }
 
     /// [`OrthogonalGrid::deviation`].

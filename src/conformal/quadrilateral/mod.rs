@@ -16,6 +16,7 @@ mod grid;
 mod map;
 mod marks;
 mod middle;
+mod rectangle;
 mod side;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
@@ -24,11 +25,12 @@ mod tests;
 use crate::boundary_integral::{
     self, BoundaryIntegral, BoundaryIntegralError, Estimate, Settings, modulus, modulus_of_both,
 };
-use crate::geometry::{Curve, CurvePoint, DVec2};
+use crate::geometry::{Curve, CurvePoint, DVec2, SimplePolygon};
 pub use error::QuadrilateralError;
 pub use grid::{GridCells, MOST_CELLS, OrthogonalGrid};
 pub use map::RectangleMap;
 pub use marks::Marks;
+pub use rectangle::rectangle_corners;
 
 /// The largest extremal distance between opposite sides of a quadrilateral. With each unit the measures
 /// of the short sides, and the places along the long ones, lose a factor of 5 of their accuracy: grids of rectangles of
@@ -37,6 +39,9 @@ pub const MOST_LENGTH: f64 = 18.0;
 
 /// Measures of arcs below this one are rounding.
 const LEAST: f64 = 1e-14;
+
+/// The tolerance of the point of a polygon from which the middle is looked for, in sizes of the polygon.
+const NEAR_POLE: f64 = 1e-3;
 
 /// A domain with four boundary points, its corners.
 #[derive(Debug, Clone)]
@@ -76,11 +81,17 @@ impl Quadrilateral {
             return Err(QuadrilateralError::Coinciding { marks: [k + 1, (k + 1) % 4 + 1] });
         }
         let (x, coarse) = middle::middle(curve, corners, inside)?;
-        check_length(&coarse)?;
+        check_length(modulus(above_rounding(coarse.arcs)))?;
         let settings = Settings::default().with_points(&[x]).finer();
         let fine = Resolved::new(&BoundaryIntegral::prepare(curve, &settings)?, x, corners)?;
         let modulus = modulus_of_both(coarse.arcs, fine.arcs);
         Ok(Self { curve: curve.clone(), corners, coarse, fine, modulus })
+    }
+
+    /// As [`Self::new`], of an outline's curve, with the middle looked for from the pole of inaccessibility of its polygon.
+    pub fn of_outline((polygon, curve): (&SimplePolygon, &Curve), marks: Marks) -> Result<Self, QuadrilateralError> {
+        let tolerance = NEAR_POLE * polygon.bounds().size().max_element();
+        Self::new(curve, marks, polygon.pole_of_inaccessibility(tolerance))
     }
 
     /// The extremal distance between the sides from corner 1 to 2 and from corner 3 to 4: the length of the other two sides
@@ -103,11 +114,10 @@ fn above_rounding(arcs: [f64; 4]) -> [f64; 4] {
     arcs
 }
 
-/// Errors: the quadrilateral is too long.
-fn check_length(resolved: &Resolved) -> Result<(), QuadrilateralError> {
-    let modulus = modulus(above_rounding(resolved.arcs));
+/// Errors: a quadrilateral of this modulus is too long, or the modulus is not positive.
+fn check_length(modulus: f64) -> Result<(), QuadrilateralError> {
     let length = modulus.max(modulus.recip());
-    if length <= MOST_LENGTH {
+    if modulus > 0.0 && length <= MOST_LENGTH {
         return Ok(());
     }
     let side = usize::from(modulus < 1.0);

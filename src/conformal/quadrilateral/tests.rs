@@ -25,7 +25,7 @@ fn corners_of(length: f64) -> Marks {
 }
 
 fn grid(quadrilateral: &Quadrilateral, counts: [u32; 2]) -> OrthogonalGrid {
-    quadrilateral.map().unwrap().grid(GridCells::new(counts).unwrap(), &mut |_| ())
+    quadrilateral.map().unwrap().grid(GridCells::new(counts).unwrap(), &mut |_| true).unwrap()
 }
 
 #[test]

@@ -1014,3 +1014,60 @@ symmetry_tolerance = Bis { $share } % der Größe gilt als symmetrisch.
 on_axis = auf der Achse bei { $angle }°
 at_axis_end = am Ende der Achse bei { $angle }°
 caught_dot = { $dot } liegt { $place }.
+
+## quadrilaterals
+quadrilateral = Rechteck und Gitter
+explain_quadrilateral = Vier Marken machen den Umriss zu einem Viereck mit krummen Seiten. Eine konforme Abbildung davon auf ein Rechteck, die die Marken auf die Ecken abbildet, gibt es für genau ein Seitenverhältnis, und dann nur eine: Drei Ecken legen die Abbildung fest, und die vierte passt nur bei diesem Verhältnis. Es ist der Modul: wie weit die Seite von Marke 1 bis 2 von der Seite von Marke 3 bis 4 entfernt ist, konform gemessen. Das Netz gleicher Zellen dieses Rechtecks, zurückgetragen, ist ein Gitter im Umriss, dessen Linien sich rechtwinklig schneiden, wie man es für Simulationen von Strömung und Wärme braucht.
+map_onto_rectangle = Auf sein Rechteck abbilden
+map_onto_rectangle_tooltip = Setzt das Rechteck dieses Moduls auf die andere Seite und heftet drei Marken an seine Ecken, die vierte folgt; ein Schritt beim Rückgängigmachen
+rectangle = Rechteck
+orthogonal_grid = Rechtwinkliges Gitter
+orthogonal_grid_tooltip = Linien, die sich rechtwinklig schneiden, mit den Marken als Ecken des Gitters
+cells_along = Zellen von Marke 1 bis 2
+cells_across_marks = Zellen von Marke 2 bis 3
+save_grid = Gitter speichern
+pinned_to_corners = Die Marken 1 bis 3 sind an ihre Ecken geheftet; Marke 4 verfehlt ihre um { $miss }.
+grid_accuracy = Knoten auf { $error } genau, Winkel auf { $angle }°.
+grid_error = Knoten auf { $error } genau.
+lines_drawn = Eine von { $stride } Linien ist gezeichnet.
+computing_at = Wird berechnet… { $percent } %
+modulus_uncertain = der Modul ist { $value } mit einem Fehler von { $error }: den inneren Punkt zwischen die Marken ziehen
+accessible_grid = Rechtwinkliges Gitter · { $side }: { $first } × { $second } Zellen. { $accuracy }
+save_grid_as = Gitter als { $format } speichern
+
+## projections
+map_projection = Landkarte…
+map_projection_tooltip = Die Karte eines Landes oder einer Insel, deren Maßstab am wenigsten schwankt
+projection = Landkarte
+explain_projection = Keine ebene Karte eines Teils der Erde hat überall denselben Maßstab. Unter allen winkeltreuen Karten schwankt er bei der am wenigsten, deren Maßstab am ganzen Rand des Gebiets gleich ist; das hat Tschebyschow 1856 gesagt, Grave bewiesen und Milnor 1969 neu gefasst. Sie folgt aus einer Randwertaufgabe: Der Logarithmus des Maßstabs ist am Rand bekannt und hat innen keine eigenen Spitzen. Das Verhältnis ist das des größten zum kleinsten Maßstab; daneben steht, was die beste stereografische Projektion erreicht, die beste unter denen mit einfacher Formel.
+projection_begin = Eine GeoJSON-Datei mit dem Umriss eines Landes oder einer Insel in Länge und Breite öffnen, oder eine erfundene Insel ansehen.
+open_region = Gebiet öffnen…
+open_region_tooltip = Eine GeoJSON-Datei in Länge und Breite; von mehreren Polygonen wird das größte abgebildet
+show_island = Eine Insel zeigen
+show_island_tooltip = Eine Insel nach einer Formel im nördlichen Atlantik
+island = Insel
+regions = Gebiete
+scale_ratio = Maßstabsverhältnis
+stereographic_ratio = Stereografisch
+least_scale = Kleinster Maßstab bei
+looks_geographic = Diese Koordinaten könnten Längen und Breiten sein.
+project_it = Als Landkarte zeigen
+project_it_tooltip = Öffnet die Karte dieser Datei, deren Maßstab am wenigsten schwankt
+scale_lines_legend = Linien gleichen Maßstabs; an der Küste ist er 1.
+save_projection = Speichern
+ratio_at_most = { $value } (das beste auf { $error })
+place_in_degrees = Länge { $longitude }°, Breite { $latitude }°
+graticule_steps = Meridiane alle { $longitude }°, Breitenkreise alle { $latitude }°.
+accessible_projection = Landkarte von { $name }: Maßstabsverhältnis { $ratio }, stereografisch { $stereographic }.
+projection_left_out = { $count ->
+    [one] Das größte Gebiet wurde genommen, { $percent } % der Fläche; ein anderer Rand blieb weg.
+   *[other] Das größte Gebiet wurde genommen, { $percent } % der Fläche; { $count } andere Ränder blieben weg.
+}
+projection_joined = { $count } Ringe wurden an der Datumsgrenze verbunden.
+projection_holes = { $count ->
+    [one] Ein Loch wurde gefüllt.
+   *[other] { $count } Löcher wurden gefüllt.
+}
+projection_overlaps = Die Karte überlappt sich, am Rand bei Länge { $longitude }°, Breite { $latitude }° und anderswo.
+projecting = { $name } wird abgebildet…
+save_projection_as = Karte als { $format } speichern

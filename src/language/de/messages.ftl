@@ -572,3 +572,25 @@ no_shared_symmetry = die Umrisse haben keine gemeinsame Symmetrie: nicht je eine
 tiling_out_of_range = { "{" }{ $sides }, { $around }{ "}" }: Beide Zahlen müssen zwischen { $low } und { $high } liegen
 tiling_on_sphere = { "{" }{ $sides }, { $around }{ "}" } lebt auf der Kugel ({ $solid }). Bitte größere Zahlen; das Bild behält sein Parkett
 tiling_in_plane = { "{" }{ $sides }, { $around }{ "}" } lebt in der Ebene, wo solche Steine lückenlos passen. Bitte größere Zahlen; das Bild behält sein Parkett
+
+## quadrilaterals
+quadrilateral_no_middle = es fand sich kein Punkt, der die Seiten von Marke zu Marke auseinanderhält: das Viereck ist zu schmal, oder zwei Marken liegen zu nah beieinander
+mark_not_finite = Marke { $mark } ist kein endlicher Anteil der Randlänge
+marks_coincide = Marke { $first } und Marke { $second } sind derselbe Punkt
+marks_out_of_order = Marke { $mark } liegt hinter Marke { $next }: die Marken folgen nicht gegen den Uhrzeigersinn aufeinander
+quadrilateral_too_long = die Seite von Marke { $a } bis { $b } ist zu weit von der Seite von Marke { $c } bis { $d } entfernt: das Viereck ist mindestens { $length }-mal so lang wie breit, und { $limit } ist die Grenze
+
+## projections
+outline_geographic = Längen und Breiten wurden als ebene Koordinaten genommen.
+point_of_ring = Punkt { $point } von Ring { $ring }
+region_latitude = { $place } hat die Breite { $latitude }°: Breiten gehen von −90° bis 90° (ein Punkt ist [Länge, Breite])
+region_longitude = { $place } hat die Länge { $longitude }°: Längen gehen von −180° bis 180° (bis ±360° wird angenommen)
+region_too_few_points = Ring { $ring } hat { $points } verschiedene Punkte hintereinander; ein Ring braucht mindestens 3
+region_no_boundary = die Ringe umschließen keine Fläche oder die ganze Kugel
+region_nearly_whole_sphere = das Gebiet bedeckt fast die ganze Kugel: kein Punkt liegt mehr als { $clearance }° außerhalb, und { $limit } ist die Grenze
+region_crosses = der Rand kreuzt sich bei Länge { $longitude }°, Breite { $latitude }°: die Kante nach { $first } und die Kante nach { $second }
+region_touches = der Rand berührt sich bei Länge { $longitude }°, Breite { $latitude }°: die Kante nach { $first } und die Kante nach { $second }
+region_no_polygon = der Rand ist unbrauchbar: { $reason }
+region_not_meshed = das Gebiet lässt sich nicht triangulieren: { $reason }
+projection_cancelled = die Berechnung wurde abgebrochen
+projection_is_stereographic = Genommen wurde die beste stereografische Projektion: die an einen festen Maßstab am Rand angepasste Karte schwankt mehr.

@@ -1014,3 +1014,60 @@ symmetry_tolerance = Up to { $share } % of the size counts as symmetric.
 on_axis = on the axis at { $angle }°
 at_axis_end = at an end of the axis at { $angle }°
 caught_dot = { $dot } is { $place }.
+
+## quadrilaterals
+quadrilateral = Rectangle and grid
+explain_quadrilateral = Four marks make the outline a quadrilateral with curved sides. A conformal map of it onto a rectangle that takes the marks to the corners exists for exactly one ratio of the sides, and is then the only one: three corners determine the map, and the fourth one falls into place for this ratio alone. The ratio is the modulus: how far the side from mark 1 to 2 is from the side from mark 3 to 4, measured by conformal means. The lattice of equal cells of that rectangle, carried back, is a grid in the outline whose lines meet at right angles, as simulations of flow and heat use it.
+map_onto_rectangle = Map onto its rectangle
+map_onto_rectangle_tooltip = Puts the rectangle of this modulus on the other side and pins three marks to its corners, the fourth one follows; one step to undo
+rectangle = Rectangle
+orthogonal_grid = Orthogonal grid
+orthogonal_grid_tooltip = Lines that meet at right angles, with the marks as corners of the grid
+cells_along = cells from mark 1 to 2
+cells_across_marks = cells from mark 2 to 3
+save_grid = Save grid
+pinned_to_corners = Marks 1 to 3 are pinned to their corners; mark 4 misses its own by { $miss }.
+grid_accuracy = Nodes right to { $error }, angles to { $angle }°.
+grid_error = Nodes right to { $error }.
+lines_drawn = One line of { $stride } is drawn.
+computing_at = Computing… { $percent } %
+modulus_uncertain = the modulus is { $value } with an error of { $error }: move the interior point between the marks
+accessible_grid = Orthogonal grid · { $side }: { $first } × { $second } cells. { $accuracy }
+save_grid_as = Save the grid as { $format }
+
+## projections
+map_projection = Map projection…
+map_projection_tooltip = The map of a country or an island whose scale varies least
+projection = Map projection
+explain_projection = No flat map of a part of the globe has the same scale everywhere. Among all maps that keep angles, the scale varies least on the one whose scale is the same all along the region's boundary; Chebyshev said so in 1856, Grave proved it, and Milnor gave the proof a new form in 1969. It follows from one boundary value problem: the logarithm of the scale is known on the boundary and has no largest or least value of its own inside. The ratio is that of the largest scale to the least one; beside it stands what the best stereographic projection reaches, the best of those with a simple formula.
+projection_begin = Open a GeoJSON file with the outline of a country or an island in longitude and latitude, or look at an island that does not exist.
+open_region = Open a region…
+open_region_tooltip = A GeoJSON file in longitude and latitude; of several polygons the largest is mapped
+show_island = Show an island
+show_island_tooltip = An island by formula in the northern Atlantic
+island = Island
+regions = Regions
+scale_ratio = Scale ratio
+stereographic_ratio = Stereographic
+least_scale = Least scale at
+looks_geographic = These coordinates may be longitudes and latitudes.
+project_it = Show as a map
+project_it_tooltip = Opens the map projection of this file whose scale varies least
+scale_lines_legend = Lines of equal scale; on the coast it is 1.
+save_projection = Save
+ratio_at_most = { $value } (best possible to { $error })
+place_in_degrees = longitude { $longitude }°, latitude { $latitude }°
+graticule_steps = Meridians every { $longitude }°, parallels every { $latitude }°.
+accessible_projection = Map projection of { $name }: scale ratio { $ratio }, stereographic { $stereographic }.
+projection_left_out = { $count ->
+    [one] The largest region was taken, { $percent } % of the area; one other boundary was left out.
+   *[other] The largest region was taken, { $percent } % of the area; { $count } other boundaries were left out.
+}
+projection_joined = { $count } rings were joined along the antimeridian.
+projection_holes = { $count ->
+    [one] A hole was filled.
+   *[other] { $count } holes were filled.
+}
+projection_overlaps = The map overlaps itself, at the boundary's longitude { $longitude }°, latitude { $latitude }° and elsewhere.
+projecting = { $name } is being mapped…
+save_projection_as = Save the map as { $format }

@@ -572,3 +572,25 @@ no_shared_symmetry = the outlines have no symmetry in common: no reflection each
 tiling_out_of_range = { "{" }{ $sides }, { $around }{ "}" }: both numbers must be from { $low } to { $high }
 tiling_on_sphere = { "{" }{ $sides }, { $around }{ "}" } lives on the sphere: it is the { $solid }. Choose larger numbers; the picture keeps its tiling
 tiling_in_plane = { "{" }{ $sides }, { $around }{ "}" } lives in the plane, where such tiles fit without gaps. Choose larger numbers; the picture keeps its tiling
+
+## quadrilaterals
+quadrilateral_no_middle = no point was found that sees the sides from mark to mark apart: the quadrilateral is too narrow, or two marks are too close to each other
+mark_not_finite = mark { $mark } is not a finite fraction of the boundary's length
+marks_coincide = marks { $first } and { $second } are the same point
+marks_out_of_order = mark { $mark } lies beyond mark { $next }: the marks are not in counter-clockwise cyclic order
+quadrilateral_too_long = the side from mark { $a } to { $b } is too far from the side from mark { $c } to { $d }: the quadrilateral is { $length } or more times as long as wide, and { $limit } is the limit
+
+## projections
+outline_geographic = Longitudes and latitudes were taken as plane coordinates.
+point_of_ring = point { $point } of ring { $ring }
+region_latitude = { $place } has the latitude { $latitude }°: latitudes are from −90° to 90° (a point is [longitude, latitude])
+region_longitude = { $place } has the longitude { $longitude }°: longitudes are from −180° to 180° (up to ±360° is accepted)
+region_too_few_points = ring { $ring } has { $points } different points in a row; a ring needs at least 3
+region_no_boundary = the rings enclose no area, or the whole sphere
+region_nearly_whole_sphere = the region covers almost the whole sphere: no point is more than { $clearance }° outside, and { $limit } is the limit
+region_crosses = the boundary crosses itself at longitude { $longitude }°, latitude { $latitude }°: the edge after { $first } and the edge after { $second }
+region_touches = the boundary touches itself at longitude { $longitude }°, latitude { $latitude }°: the edge after { $first } and the edge after { $second }
+region_no_polygon = the boundary cannot be used: { $reason }
+region_not_meshed = the region cannot be triangulated: { $reason }
+projection_cancelled = the computation was cancelled
+projection_is_stereographic = The best stereographic projection was taken: the map that was fitted to a constant scale along the boundary varies more.

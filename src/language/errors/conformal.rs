@@ -2,10 +2,11 @@
 
 use crate::boundary_integral::BoundaryIntegralError;
 use crate::conformal::{
-    MOST_PINS, MapError, MapNote, NotFlat, PinError, PrepareError, ResolveError, TableError, Unsharpened, WalkError,
+    MOST_LENGTH, MOST_PINS, MapError, MapNote, NotFlat, PinError, PrepareError, QuadrilateralError, ResolveError,
+    TableError, Unsharpened, WalkError,
 };
 use crate::figures::FigureError;
-use crate::language::{Message, key};
+use crate::language::{Message, Value, key};
 use crate::optimization::OptimizeError;
 
 impl From<&PrepareError> for Message {
@@ -78,6 +79,23 @@ impl From<&PinError> for Message {
             PinError::Missed { pin, miss } => key::pin_missed(*pin, *miss),
             PinError::NotConverged { side, error } => key::map_not_converged(*side, Message::from(error)),
             PinError::Map(error) => error.into(),
+        }
+    }
+}
+
+impl From<&QuadrilateralError> for Message {
+    fn from(error: &QuadrilateralError) -> Self {
+        match error {
+            QuadrilateralError::NotFinite { mark } => key::mark_not_finite(*mark),
+            QuadrilateralError::Coinciding { marks: [a, b] } => key::marks_coincide(*a, *b),
+            QuadrilateralError::Order { mark } => key::marks_out_of_order(*mark, mark % 4 + 1),
+            QuadrilateralError::TooLong { side, length } => {
+                let [a, b, c, d] = [0, 1, 2, 3].map(|k| (side + k) % 4 + 1);
+                key::quadrilateral_too_long(a, b, c, d, Value::number(format!("{length:.0}")), MOST_LENGTH)
+            }
+            QuadrilateralError::NoMiddle => key::quadrilateral_no_middle().into(),
+            QuadrilateralError::BoundaryIntegral(error) => error.into(),
+            QuadrilateralError::Rectangle(_) => key::outline_without_curve().into(),
         }
     }
 }

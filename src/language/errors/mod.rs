@@ -4,6 +4,7 @@ mod conformal;
 mod geometry;
 mod mesh;
 mod outline;
+mod projection;
 mod rational;
 mod session;
 mod surface;

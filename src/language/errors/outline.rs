@@ -114,6 +114,7 @@ impl From<&OutlineNote> for Message {
             OutlineNote::ClosingPointDropped => key::outline_closing_point_dropped().into(),
             OutlineNote::HolesIgnored { holes } => key::outline_holes_ignored(*holes),
             OutlineNote::Repaired { dropped } => key::outline_repaired(*dropped),
+            OutlineNote::Geographic => key::outline_geographic().into(),
         }
     }
 }

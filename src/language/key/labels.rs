@@ -189,6 +189,13 @@ keys_of_labels! {
     // symmetry
     symmetry, explain_symmetry, show_symmetries, show_symmetries_tooltip, no_symmetry, in_center, in_corner,
     drag_with_alt, drag_with_alt_about,
+    // quadrilaterals
+    quadrilateral, explain_quadrilateral, map_onto_rectangle, map_onto_rectangle_tooltip, rectangle, orthogonal_grid,
+    orthogonal_grid_tooltip, cells_along, cells_across_marks, save_grid,
+    // projections
+    map_projection, map_projection_tooltip, projection, explain_projection, projection_begin, open_region,
+    open_region_tooltip, show_island, show_island_tooltip, island, regions, scale_ratio, stereographic_ratio, least_scale,
+    looks_geographic, project_it, project_it_tooltip, scale_lines_legend, save_projection,
 }
 
 keys_of_messages! {
@@ -248,4 +255,11 @@ keys_of_messages! {
     // symmetry
     symmetries_of(side); symmetry_axis(angle, off); symmetry_turns(angle, off); symmetry_circle(off); more_axes(count);
     symmetry_tolerance(share); on_axis(angle); at_axis_end(angle); caught_dot(dot, place);
+    // quadrilaterals
+    pinned_to_corners(miss); grid_accuracy(error, angle); grid_error(error); lines_drawn(stride); computing_at(percent);
+    modulus_uncertain(value, error); accessible_grid(side, first, second, accuracy); save_grid_as(format);
+    // projections
+    ratio_at_most(value, error); place_in_degrees(longitude, latitude); graticule_steps(longitude, latitude);
+    accessible_projection(name, ratio, stereographic); projection_left_out(percent, count); projection_joined(count);
+    projection_holes(count); projection_overlaps(longitude, latitude); projecting(name); save_projection_as(format);
 }

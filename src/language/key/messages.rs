@@ -55,6 +55,10 @@ keys_of_labels! {
     device_gone,
     // best map
     region_holds_nothing, no_shared_symmetry, limit_dabs, limit_dab_radius,
+    // quadrilaterals
+    quadrilateral_no_middle,
+    // projections
+    outline_geographic, region_no_boundary, projection_cancelled, projection_is_stereographic,
 }
 
 keys_of_messages! {
@@ -158,4 +162,12 @@ keys_of_messages! {
     boundary_too_long(boundary, vertices); vertex_beyond(triangle, corners, vertices); too_few_bytes(width, height);
     // tiling
     tiling_out_of_range(sides, around, low, high); tiling_on_sphere(sides, around, solid); tiling_in_plane(sides, around);
+    // quadrilaterals
+    mark_not_finite(mark); marks_coincide(first, second); marks_out_of_order(mark, next);
+    quadrilateral_too_long(a, b, c, d, length, limit);
+    // projections
+    point_of_ring(point, ring); region_latitude(place, latitude); region_longitude(place, longitude);
+    region_too_few_points(ring, points); region_nearly_whole_sphere(clearance, limit);
+    region_crosses(longitude, latitude, first, second); region_touches(longitude, latitude, first, second);
+    region_no_polygon(reason); region_not_meshed(reason);
 }

@@ -74,7 +74,7 @@ fn one_request_reads_an_outline_and_prepares_it() {
     assert!(model.is_preparing(SIDE) && model.awaits_file() && model.next_due() == Some(f64::NEG_INFINITY));
     let request = only_request(&mut model);
     assert!(matches!(request.task, Task::OutlineFile { .. }) && model.next_due().is_none());
-    assert!(matches!(answer(&mut model, SIDE, &request), Some(Arrived::Outline(Origin::OutlineFile))));
+    assert!(matches!(answer(&mut model, SIDE, &request), Some(Arrived::Outline(Origin::OutlineFile, None))));
     assert!(model.take_requests(f64::INFINITY).is_empty() && !model.is_preparing(SIDE));
     assert_eq!((name(&model), model.notes(SIDE).count()), ("a", 1), "it was clockwise");
 }
@@ -166,7 +166,7 @@ fn an_invalid_pasted_text_is_reported_on_its_side() {
     assert!(matches!(settle(&mut model), Some(Arrived::NoOutline(SIDE, _))));
     assert!(model.side(SIDE).error.is_none() && !model.reads_pasted(SIDE));
     model.open_pasted(SIDE, "M 0 0 h 4 v 1 z");
-    assert!(matches!(settle(&mut model), Some(Arrived::Outline(Origin::PastedText))));
+    assert!(matches!(settle(&mut model), Some(Arrived::Outline(Origin::PastedText, None))));
     assert_eq!(name(&model), names::PASTED);
 }
 

@@ -4,6 +4,7 @@
 
 pub mod disk_comparison;
 pub mod invariants;
+pub mod orthogonal_grid;
 pub mod overlay;
 mod symmetry;
 pub mod walks;
@@ -14,6 +15,7 @@ use crate::model::pattern::disk_grid::DiskGrid;
 use crate::session::Comparison;
 use disk_comparison::DiskComparison;
 use invariants::InvariantsState;
+use orthogonal_grid::GridState;
 use overlay::Overlays;
 use std::sync::Arc;
 use symmetry::SymmetryState;
@@ -52,6 +54,8 @@ pub struct OverlayState {
     pub invariants: InvariantsState,
     /// The symmetries of the sides.
     pub symmetries: SymmetryState,
+    /// The orthogonal grids of the sides.
+    pub orthogonal_grids: GridState,
     /// The coordinates of the conformal pattern.
     pub grid: DiskGrid,
     overlays: Overlays,

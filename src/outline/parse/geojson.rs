@@ -1,7 +1,7 @@
 //! `GeoJSON` (RFC 7946): the outer ring of largest area among all polygons.
 //!
-//! Longitude and latitude are taken as plane coordinates, without projection;
-//! altitudes and holes are left out.
+//! Longitude and latitude are taken as plane coordinates, without projection, which a note says where the numbers may be
+//! such; altitudes and holes are left out.
 
 use serde_json::Value;
 
@@ -9,6 +9,10 @@ use super::json::position;
 use super::ring::{Ring, largest};
 use super::{GeoJsonFault, JsonKind, OutlineError, OutlineNote};
 use crate::geometry::DVec2;
+
+/// The largest longitude, of regions beyond the antimeridian, and latitude, in degrees.
+const MOST_LONGITUDE: f64 = 360.0;
+const MOST_LATITUDE: f64 = 90.0;
 
 /// The polygons collected while walking the tree.
 #[derive(Debug, Default)]
@@ -32,6 +36,19 @@ pub struct GeoRing {
     pub holes: usize,
 }
 
+impl GeoRing {
+    /// A ring without a name and holes.
+    pub fn new(points: Vec<DVec2>) -> Self {
+        Self { name: None, points, holes: 0 }
+    }
+
+    /// The same ring with a name.
+    #[must_use]
+    pub fn named(self, name: &str) -> Self {
+        Self { name: Some(name.to_owned()), ..self }
+    }
+}
+
 /// The outer rings of all polygons, in the file's order; at least one.
 pub(super) fn rings(value: &Value) -> Result<Vec<GeoRing>, OutlineError> {
     let mut found = Collected::default();
@@ -52,6 +69,9 @@ pub(super) fn read(value: &Value) -> Result<Ring, OutlineError> {
     let mut ring = Ring::largest_of(outer_rings).ok_or_else(none)?;
     if holes[index] > 0 {
         ring.notes.push(OutlineNote::HolesIgnored { holes: holes[index] });
+    }
+    if ring.points.iter().all(|p| p.x.abs() <= MOST_LONGITUDE && p.y.abs() <= MOST_LATITUDE) {
+        ring.notes.push(OutlineNote::Geographic);
     }
     ring.name = names[index].map(str::to_owned);
     Ok(ring)

@@ -83,8 +83,14 @@ fn geojson_gives_the_largest_outer_ring_of_all_features() {
             "geometry":{"type":"Polygon","coordinates":[[[0,0],[2,0],[2,2],[0,0]]]}}]}"#;
     let outline = read("world.geojson", text).unwrap();
     assert_eq!(vertices(&outline), [(0.0, 0.0), (9.0, 0.0), (9.0, 9.0)]);
-    assert_eq!(outline.notes, [OutlineNote::LargestOf { rings: 3 }, OutlineNote::HolesIgnored { holes: 1 }]);
+    let notes = [OutlineNote::LargestOf { rings: 3 }, OutlineNote::HolesIgnored { holes: 1 }, OutlineNote::Geographic];
+    assert_eq!(outline.notes, notes);
     assert_eq!(outline.name, "two");
+    assert!(outline.is_geographic());
+    // latitudes end at the poles, and another format has no longitudes
+    let far = r#"{"type":"Polygon","coordinates":[[[0,0],[9,0],[9,91],[0,0]]]}"#;
+    let others = [read("far.geojson", far).unwrap(), read("a.json", "[[0,0],[9,0],[9,9]]").unwrap()];
+    assert!(others.iter().all(|outline| !outline.is_geographic()));
 }
 
 #[test]

@@ -4,7 +4,7 @@
 //! [`crate::model::export`].
 
 mod formula;
-mod progress;
+pub(super) mod progress;
 mod settings;
 pub mod window;
 

@@ -19,7 +19,7 @@ impl Exporter {
 }
 
 /// A progress bar with a text over it; `done` is from 0 to 1.
-pub(super) fn progress_bar(ui: &mut Ui, size: Vec2, done: f32, text: String) {
+pub(in crate::app::windows) fn progress_bar(ui: &mut Ui, size: Vec2, done: f32, text: String) {
     let palette = Palette::of(ui.visuals());
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, &text));

@@ -1,0 +1,196 @@
+//! The orthogonal grids between the marks of the outlines: what is asked for, what the worker computes, what was found.
+//!
+//! One task is computed at a time: the file that is to be saved first, then the grids that are shown. A task that is no more
+//! wanted is superseded by the next one, or cancelled.
+
+use crate::conformal::{GridCells, PerSide, Side};
+use crate::export::GridFormat;
+use crate::language::{Message, key};
+use crate::model::export::ReadyFile;
+use crate::worker::{Finding, FoundGrid, GridContent, GridTask};
+
+/// The numbers of cells to begin with.
+const CELLS: [u32; 2] = [20, 10];
+
+/// A change of what is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GridAction {
+    /// Show a side's grid, or no more.
+    Show(Side, bool),
+    /// Set the numbers of cells.
+    Cells(Side, GridCells),
+    /// Save a side's grid.
+    Save(Side, GridFormat),
+    /// Save it no more.
+    Cancel,
+}
+
+/// What is asked for of a side, and the last result.
+#[derive(Debug, Clone, Default)]
+pub struct SideGrid {
+    /// Whether the grid is shown.
+    pub is_shown: bool,
+    cells: Option<GridCells>,
+    found: Option<(GridTask, Result<FoundGrid, Message>)>,
+}
+
+/// What the worker is to do next.
+#[derive(Debug, Clone, PartialEq)]
+pub enum GridWork {
+    /// Go on, or wait.
+    Nothing,
+    /// Give up what it does.
+    Cancel,
+    /// Begin with this, and give up what it does.
+    Begin(GridTask),
+}
+
+/// The grids of both sides.
+#[derive(Debug, Default)]
+pub struct GridState {
+    sides: PerSide<SideGrid>,
+    to_save: Option<GridTask>,
+    in_flight: Option<GridTask>,
+    /// The share of the task in flight that is done.
+    done: f64,
+}
+
+impl SideGrid {
+    /// The numbers of cells along the sides from mark 1 to 2 and from mark 2 to 3.
+    pub fn cells(&self) -> Option<GridCells> {
+        self.cells.or(GridCells::new(CELLS))
+    }
+
+    /// The result of this very task.
+    pub fn result(&self, task: &GridTask) -> Option<&Result<FoundGrid, Message>> {
+        self.found.as_ref().filter(|(found, _)| found == task).map(|(_, result)| result)
+    }
+}
+
+impl GridState {
+    /// What is asked for of a side.
+    pub fn of(&self, side: Side) -> &SideGrid {
+        &self.sides[side]
+    }
+
+    /// The share of a file to be saved that is done; `None` without one.
+    pub fn saving(&self) -> Option<f64> {
+        self.to_save.as_ref().map(|task| self.done_of(task))
+    }
+
+    /// The share of a task that is done: 0 while it waits.
+    pub fn done_of(&self, task: &GridTask) -> f64 {
+        if self.in_flight.as_ref() == Some(task) { self.done } else { 0.0 }
+    }
+
+    /// Shows a side's grid, or no more.
+    pub fn show(&mut self, side: Side, is_shown: bool) {
+        self.sides[side].is_shown = is_shown;
+    }
+
+    /// Sets the numbers of cells.
+    pub fn set_cells(&mut self, side: Side, cells: GridCells) {
+        self.sides[side].cells = Some(cells);
+    }
+
+    /// The file to save next; `None`: none any more.
+    pub fn save(&mut self, task: Option<GridTask>) {
+        self.to_save = task;
+    }
+
+    /// What the worker is to do, where these grids are shown.
+    pub fn next(&mut self, shown: &PerSide<Option<GridTask>>) -> GridWork {
+        let is_missing = |(side, task): &(Side, &GridTask)| self.sides[*side].result(task).is_none();
+        let missing = shown.iter().filter_map(|(side, task)| Some((side, task.as_ref()?))).find(is_missing);
+        let wanted = self.to_save.as_ref().or(missing.map(|(_, task)| task)).cloned();
+        if wanted == self.in_flight {
+            return GridWork::Nothing;
+        }
+        (self.in_flight, self.done) = (wanted.clone(), 0.0);
+        wanted.map_or(GridWork::Cancel, GridWork::Begin)
+    }
+
+    /// Takes a finding about a task: the file to save, if it is complete, or why there is none. One about another task than
+    /// that in flight is dropped. `shown` are the grids that are shown.
+    pub fn accept(
+        &mut self,
+        task: &GridTask,
+        finding: Finding,
+        shown: &PerSide<Option<GridTask>>,
+    ) -> Option<Result<ReadyFile, Message>> {
+        if self.in_flight.as_ref() != Some(task) {
+            return None;
+        }
+        let result = match finding {
+            Finding::Progress(done) => {
+                self.done = done;
+                return None;
+            }
+            Finding::Grid(found) => Ok(*found),
+            Finding::Failed(reason) => Err(reason),
+            _ => Err(key::another_answer().into()),
+        };
+        self.in_flight = None;
+        if let Some(format) = task.file() {
+            self.to_save = None;
+            return Some(result.map(|found| file(found, format)));
+        }
+        for (side, _) in shown.iter().filter(|(_, shown)| shown.as_ref() == Some(task)) {
+            self.sides[side].found = Some((task.clone(), result.clone()));
+        }
+        None
+    }
+}
+
+fn file(FoundGrid { content, .. }: FoundGrid, format: GridFormat) -> ReadyFile {
+    let text = if let GridContent::File(text) = content { text } else { String::new() };
+    ReadyFile { name: format!("riemap_grid.{}", format.extension()), bytes: text.into_bytes() }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::outline::Preset;
+    use crate::worker::{Number, StudiedOutline};
+
+    fn task(preset: Preset, file: Option<GridFormat>) -> GridTask {
+        let cells = GridCells::new(CELLS).unwrap();
+        GridTask::new(StudiedOutline::Preset(preset), [0.0, 0.25, 0.5, 0.75], cells, file)
+    }
+
+    fn found(content: GridContent) -> Finding {
+        let modulus = Number { value: 1.0, error: 0.0 };
+        Finding::Grid(Box::new(FoundGrid { modulus, image_error: 0.0, angle_deviation: None, content }))
+    }
+
+    #[test]
+    fn files_come_first_and_what_is_no_more_wanted_is_given_up() {
+        let mut state = GridState::default();
+        let (disk, square) = (task(Preset::Disk, None), task(Preset::Square, None));
+        let (none, both) = (PerSide::new(None, None), PerSide::new(Some(disk.clone()), Some(square.clone())));
+        assert_eq!(state.next(&none), GridWork::Nothing);
+        assert_eq!(state.next(&both), GridWork::Begin(disk.clone()));
+        assert_eq!(state.next(&both), GridWork::Nothing, "it is in flight");
+        state.accept(&disk, Finding::Progress(0.5), &both);
+        assert!((state.done_of(&disk) - 0.5).abs() < 1e-12 && state.done_of(&square) < 1e-12);
+        let csv = task(Preset::Disk, Some(GridFormat::Csv));
+        state.save(Some(csv.clone()));
+        assert_eq!((state.next(&both), state.saving()), (GridWork::Begin(csv.clone()), Some(0.0)));
+        assert_eq!(state.accept(&disk, found(GridContent::Lines([Vec::new(), Vec::new()])), &both), None, "superseded");
+        let saved = state.accept(&csv, found(GridContent::File("i,j".into())), &both).unwrap().unwrap();
+        assert_eq!((saved.name.as_str(), saved.bytes.as_slice()), ("riemap_grid.csv", &b"i,j"[..]));
+        assert_eq!((state.next(&both), state.saving()), (GridWork::Begin(disk.clone()), None));
+        state.accept(&disk, found(GridContent::Lines([Vec::new(), Vec::new()])), &both);
+        assert!(state.of(Side::Source).result(&disk).unwrap().is_ok());
+        assert_eq!(state.next(&both), GridWork::Begin(square.clone()));
+        state.accept(&square, Finding::Failed("no".into()), &both);
+        assert!(state.of(Side::Target).result(&square).unwrap().is_err());
+        assert_eq!(state.next(&both), GridWork::Nothing, "a failure is not repeated");
+        // another outline, and then none
+        let other = PerSide::new(Some(task(Preset::Star, None)), None);
+        assert!(matches!(state.next(&other), GridWork::Begin(_)));
+        assert_eq!(state.next(&none), GridWork::Cancel);
+        assert_eq!(state.next(&none), GridWork::Nothing);
+    }
+}

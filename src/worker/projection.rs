@@ -1,0 +1,199 @@
+//! The map projection of least distortion of a region, as a study: what a window shows, and both files.
+//!
+//! The files are those of `riemap project`, to the byte.
+
+use crate::export::{Line, ProjectionFormat, ProjectionReport, ScaleLines, scale_lines};
+use crate::geometry::DVec2;
+use crate::language::{Message, Value, key};
+use crate::outline::{GeoRing, parse_geo_rings};
+use crate::projection::{Projection, ProjectionError, Region, island};
+use serde::{Deserialize, Serialize};
+
+/// The share of the work up to the map; the rest are the files.
+const MAPPED: f64 = 0.9;
+
+/// A region of the sphere.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ProjectionTask {
+    /// That of a `GeoJSON` file in longitude and latitude.
+    File {
+        /// The file's name.
+        name: String,
+        /// Its content.
+        bytes: Vec<u8>,
+    },
+    /// The island by formula.
+    Island,
+}
+
+/// A projection as it is drawn, its numbers, and its files.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FoundProjection {
+    /// The numbers.
+    pub report: ProjectionReport,
+    /// The boundary.
+    pub outline: Vec<DVec2>,
+    /// The region.
+    pub land: Land,
+    /// Meridians and parallels.
+    pub graticule: Vec<Vec<DVec2>>,
+    /// The steps of longitude and latitude, in degrees.
+    pub steps: DVec2,
+    /// The lines of equal scale.
+    pub scales: Vec<DrawnScale>,
+    /// The files, in the order of [`ProjectionFormat::ALL`].
+    pub files: [String; 2],
+}
+
+/// A region as triangles, in single precision: it is only painted.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Land {
+    /// The vertices.
+    pub vertices: Vec<[f32; 2]>,
+    /// The scale at each vertex.
+    pub scales: Vec<f32>,
+    /// The triangles.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// The lines on which the scale has a value.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DrawnScale {
+    /// The value.
+    pub label: String,
+    /// The lines; closed ones end where they begin.
+    pub lines: Vec<Vec<DVec2>>,
+}
+
+impl ProjectionTask {
+    /// The file's name without its extension; none for the island.
+    fn stem(&self) -> &str {
+        match self {
+            Self::File { name, .. } => name.rsplit_once('.').map_or(name, |(stem, _)| stem),
+            Self::Island => "island",
+        }
+    }
+
+    fn rings(&self) -> Result<Vec<GeoRing>, Message> {
+        match self {
+            Self::File { bytes, .. } => parse_geo_rings(bytes).map_err(|error| Message::from(&error)),
+            Self::Island => Ok(vec![GeoRing::new(island()).named("Island")]),
+        }
+    }
+
+    /// Computes the projection. `report` gets the share that is done, which may also fall, and returns whether to go on;
+    /// `None` if it said no.
+    ///
+    /// Errors: what is wrong with the file or the region, in words.
+    pub fn run(&self, report: &mut dyn FnMut(f64) -> bool) -> Result<Option<FoundProjection>, Message> {
+        let rings = self.rings()?;
+        let points: Vec<Vec<DVec2>> = rings.iter().map(|ring| ring.points.clone()).collect();
+        let region = Region::new(&points).map_err(|error| Message::from(&error))?;
+        match Projection::telling(region, &mut |done| report(MAPPED * done)) {
+            Ok(projection) if report(MAPPED) => Ok(Some(self.found(&rings, &projection))),
+            Ok(_) | Err(ProjectionError::Cancelled) => Ok(None),
+            Err(error) => Err(Message::from(&error)),
+        }
+    }
+
+    fn found(&self, rings: &[GeoRing], projection: &Projection) -> FoundProjection {
+        let graticule = projection.graticule();
+        FoundProjection {
+            report: ProjectionReport::new(self.stem(), rings, projection),
+            outline: projection.boundary().to_vec(),
+            land: Land::of(projection),
+            steps: graticule.steps,
+            graticule: [graticule.meridians, graticule.parallels].concat(),
+            scales: scale_lines(projection).into_iter().map(DrawnScale::from).collect(),
+            files: ProjectionFormat::ALL.map(|format| format.text(projection)),
+        }
+    }
+}
+
+impl Land {
+    fn of(projection: &Projection) -> Self {
+        Self {
+            vertices: projection.images().iter().map(|p| p.as_vec2().to_array()).collect(),
+            scales: projection.scales().into_iter().map(|k| k as f32).collect(),
+            triangles: projection.mesh().triangles().to_vec(),
+        }
+    }
+}
+
+impl From<ScaleLines> for DrawnScale {
+    fn from(ScaleLines { label, lines, .. }: ScaleLines) -> Self {
+        let drawn = |Line { mut points, is_closed }: Line| {
+            points.extend(points.first().copied().filter(|_| is_closed));
+            points
+        };
+        Self { label, lines: lines.into_iter().map(drawn).collect() }
+    }
+}
+
+impl FoundProjection {
+    /// What is not in the map, and what is in it twice.
+    pub fn notes(&self) -> Vec<Message> {
+        let ProjectionReport { rings, rings_left_out: left, share, holes_filled: holes, .. } = &self.report;
+        let decimals = |x: f64, count: usize| Value::number(format!("{x:.count$}"));
+        let overlap = |[lon, lat]: [f64; 2]| key::projection_overlaps(decimals(lon, 4), decimals(lat, 4));
+        let notes = [
+            (*left > 0).then(|| key::projection_left_out(decimals(100.0 * share, 1), *left)),
+            (rings.len() > 1).then(|| key::projection_joined(rings.len())),
+            (*holes > 0).then(|| key::projection_holes(*holes)),
+            self.report.is_stereographic.then(|| key::projection_is_stereographic().into()),
+            self.report.overlap_at.map(overlap),
+        ];
+        notes.into_iter().flatten().collect()
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::worker::{packed, unpacked};
+
+    #[test]
+    fn the_island_is_mapped_better_than_stereographically_and_crosses_as_bytes() {
+        let task = ProjectionTask::Island;
+        let (mut shares, mut count) = (0.0_f64, 0);
+        let found = task.run(&mut |done| {
+            (shares, count) = (shares.max(done), count + 1);
+            true
+        });
+        let found = found.unwrap().unwrap();
+        let FoundProjection { report, outline, scales, .. } = &found;
+        assert!(report.scale_ratio > 1.0 && report.scale_ratio < report.stereographic_scale_ratio - 1e-3, "{report:?}");
+        assert!(report.residual < 1e-4 && !report.overlaps && found.notes().is_empty(), "{report:?}");
+        let counts = [outline.len(), scales.len(), found.graticule.len()];
+        assert!(counts[0] >= 60 && counts[1] > 0 && counts[2] > 3, "{counts:?}");
+        assert!(count > 3 && (shares - MAPPED).abs() < 1e-9, "{count} reports up to {shares}");
+        assert_eq!(unpacked::<FoundProjection>(&packed(&found)).unwrap(), found);
+        assert!(found.files[0].starts_with("<svg") && found.files[1].starts_with("lon,lat,x,y\n"));
+    }
+
+    #[test]
+    fn a_projection_is_cancelled_and_refused_in_words() {
+        assert_eq!(ProjectionTask::Island.run(&mut |done| done < 0.1), Ok(None));
+        let refused = |text: &str| {
+            let task = ProjectionTask::File { name: "a.geojson".into(), bytes: text.into() };
+            task.run(&mut |_| true).unwrap_err().english()
+        };
+        assert!(refused("[[0,0],[1,0],[0,1]]").len() > 10);
+        let high = r#"{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,95],[0,0]]]}"#;
+        assert!(refused(high).contains("latitude 95°"), "{}", refused(high));
+    }
+
+    #[test]
+    fn what_is_left_out_and_filled_is_noted() {
+        let square =
+            |x: f64, size: f64| format!("[[[{x},0],[{},0],[{},{size}],[{x},{size}],[{x},0]]]", x + size, x + size);
+        let text = format!(r#"{{"type":"MultiPolygon","coordinates":[{},{}]}}"#, square(0.0, 4.0), square(10.0, 1.0));
+        let task = ProjectionTask::File { name: "two.geojson".into(), bytes: text.into() };
+        let found = task.run(&mut |_| true).unwrap().unwrap();
+        assert_eq!(found.report.name, "two");
+        let words: Vec<String> = found.notes().iter().map(Message::english).collect();
+        assert!(words.len() == 1 && words[0].contains("94.1 %"), "{words:?}");
+    }
+}

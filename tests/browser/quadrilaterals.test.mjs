@@ -1,0 +1,71 @@
+// Four marks of an outline: its rectangle with one click, and its orthogonal grid, on the screen and as files.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { withOneBackend } from './backends.mjs';
+
+/** Shows the L with four marks, and its modulus. */
+async function marked(app) {
+  const { source } = await app.session();
+  await app.openSession({ source: { ...source, outline: { preset: 'l-shape' } } });
+  await app.atRest('the L is shown');
+  await app.unfoldAdvanced();
+  await app.walkTo(/^Invariants · source, check box, not selected/i);
+  await app.press('Space');
+  await app.walkTo(/^Four marks, check box, not selected/);
+  await app.press('Space');
+  return app.until('the modulus is there', (stats) => stats.ready && stats.invariants[0]?.Ok?.modulus);
+}
+
+withOneBackend('quadrilaterals', (bench) => {
+  test(
+    'the rectangle of the marks is one click and one step to undo away, and the fourth corner is met',
+    bench.withApp(async (app) => {
+      const { undo } = await marked(app);
+      await app.walkTo(/^Map onto its rectangle, button/);
+      await app.press('Space');
+      const isMet = (stats) =>
+        stats.ready && stats.pin_misses?.length === 3 && Math.max(...stats.pin_misses) < 1e-6;
+      const pinned = await app.atRest('three pins are met', isMet);
+      assert.equal(pinned.undo, undo + 1);
+      const { points } = (await app.session()).target.outline.points;
+      assert.equal(points.length, 4);
+      const ratio = (points[3][1] - points[0][1]) / (points[1][0] - points[0][0]);
+      const { value } = pinned.invariants[0].Ok.modulus;
+      assert.ok(Math.abs(ratio / value - 1) < 1e-9, `${ratio} for the modulus ${value}`);
+      await app.walkTo(/^Orthogonal grid, check box, not selected/);
+      await app.press('Space');
+      const hasLines = (stats) => stats.ready && stats.grid_lines.every((count) => count === 19 + 9);
+      await app.atRest('the grid and the lattice are there', hasLines);
+      await app.picture(`${bench.backend}-quadrilateral`);
+      await app.saying('state', /Orthogonal grid · [Ss]ource: 20 × 10 cells\. Nodes right to /);
+      await app.press('Control+z');
+      const undone = await app.atRest('the heart is back', (stats) => stats.ready && stats.pin_misses === null);
+      assert.deepEqual(undone.grid_lines, [19 + 9, 0], 'the grid stays with the marks');
+    }),
+  );
+
+  test(
+    'a grid is saved as a table, and other numbers of cells give another one',
+    bench.withApp(async (app) => {
+      await marked(app);
+      await app.walkTo(/^Orthogonal grid, check box, not selected/);
+      await app.press('Space');
+      const { grids } = await app.until('the grid is there', (stats) => stats.grids[0]?.Ok);
+      const { image_error: error, angle_deviation: angle } = grids[0].Ok;
+      assert.ok(error < 1e-5 && angle < 1e-4, `nodes to ${error}, angles to ${angle}°`);
+      await app.walkTo(/^Save the grid as CSV, button/);
+      const { name, bytes } = await app.downloadBy('Space');
+      assert.equal(name, 'riemap_grid.csv');
+      const rows = bytes.toString().trim().split('\n');
+      assert.deepEqual([rows[0], rows.length], ['i,j,x,y', 1 + 21 * 11]);
+      await app.walkTo(/^cells from mark 1 to 2/);
+      await app.press('Enter');
+      await app.press('Control+a');
+      await app.page.keyboard.type('150');
+      await app.press('Enter');
+      await app.until('every second line is drawn', (stats) => stats.grid_lines[0] === 74 + 9);
+    }),
+  );
+});
