@@ -51,9 +51,11 @@ fn angle_defects(mesh: &TriMesh<crate::geometry::DVec3>) -> Vec<f64> {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::conformal::{PrepareSettings, poisson_kernel, prepare};
+    use crate::conformal::{PrepareSettings, SurfaceSettings, poisson_kernel, prepare, prepare_surface};
+    use crate::geometry::DVec3;
     use crate::mesh::locate;
     use crate::outline::Preset;
+    use crate::surface::{SurfaceMesh, SurfacePreset};
 
     /// From x the unit disk is mapped by (z − x)/(1 − x̄ z) with |g′| = (1 − |x|²)/|1 − x̄ z|².
     #[test]
@@ -73,5 +75,21 @@ mod tests {
         let worst = mesh.vertices().iter().zip(&scale).map(|(&z, u)| (u - exact(z)).abs()).fold(0.0, f64::max);
         println!("the largest error of ln |g′| is {worst:.2e}");
         assert!(worst < 5e-3, "{worst:e}");
+    }
+
+    /// A hemisphere of radius 1 is mapped by tan(θ/2) with the angle θ from its pole: the scale is 1/(1 + cos θ). The default
+    /// point is 0.03 from the pole, and next to single vertices of the boundary the kernel of such a mesh is off by a half.
+    #[test]
+    fn of_a_hemisphere_it_is_that_of_the_stereographic_projection() {
+        let surface = SurfaceMesh::new(&SurfacePreset::Hemisphere.surface(200).unwrap()).unwrap();
+        let side = prepare_surface(surface, SurfaceSettings::default(), &mut |_| {}).unwrap();
+        let meshed = side.surface().unwrap();
+        let scale = log_disk_scale(&side, &poisson_kernel(&side, meshed.centre()).unwrap()).unwrap();
+        let vertices = meshed.mesh().vertices();
+        let rim = vertices[0].length();
+        let exact = |p: DVec3| (1.0 / (1.0 + (p.z / rim).abs()) / rim).ln();
+        let off = vertices.iter().zip(&scale).map(|(&p, u)| (u - exact(p)).abs()).sum::<f64>() / vertices.len() as f64;
+        println!("the mean error of ln |g′| is {off:.2e}");
+        assert!(off < 5e-2, "{off:e}");
     }
 }

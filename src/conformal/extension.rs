@@ -26,6 +26,8 @@ pub(crate) struct ExtensionScratch {
     /// The boundary values.
     pub(super) boundary: Vec<DVec2>,
     pub(super) solution: Vec<Lanes<2>>,
+    /// Whether the right-hand side has entries away from the boundary.
+    pub(super) has_sources: bool,
     pub(super) run: SolveRun,
 }
 

@@ -133,8 +133,9 @@ impl PreparedSide {
 
     /// Starts computing the harmonic extension of `boundary`, see [`super::harmonic_extension`].
     pub(super) fn begin_extension(&self, boundary: impl Iterator<Item = DVec2>, scratch: &mut ExtensionScratch) {
-        let ExtensionScratch { boundary: kept, solution, run } = scratch;
+        let ExtensionScratch { boundary: kept, solution, has_sources, run } = scratch;
         run.restart();
+        *has_sources = false;
         kept.clear();
         kept.extend(boundary);
         solution.clear();
@@ -150,6 +151,7 @@ impl PreparedSide {
 
     /// Adds sources, by interior vertex and integrated over its cell, to the right-hand side of an extension that was begun.
     pub(super) fn add_sources(&self, sources: impl Iterator<Item = f64>, scratch: &mut ExtensionScratch) {
+        scratch.has_sources = true;
         for (unknown, source) in (0u32..).zip(sources) {
             scratch.solution[self.system.solver.position(unknown)][0] += source;
         }
@@ -163,14 +165,10 @@ impl PreparedSide {
         values: &mut Vec<DVec2>,
         deadline: Deadline,
     ) -> Result<bool, NotConverged> {
-        let ExtensionScratch { boundary, solution, run } = scratch;
-        if !self.system.solver.advance(
-            run,
-            &self.system.boundary_paths,
-            self.system.solver.everything(),
-            solution,
-            deadline,
-        )? {
+        let ExtensionScratch { boundary, solution, has_sources, run } = scratch;
+        let everything = self.system.solver.everything();
+        let given = if *has_sources { everything } else { &self.system.boundary_paths };
+        if !self.system.solver.advance(run, given, everything, solution, deadline)? {
             return Ok(false);
         }
         values.resize(boundary.len() + solution.len(), DVec2::ZERO);
