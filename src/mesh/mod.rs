@@ -18,6 +18,7 @@ mod row_spans;
 mod tri_mesh;
 mod triangulate;
 
+#[cfg(feature = "io")]
 pub(crate) use assemble::neighbours_of;
 pub(crate) use disk_walk::DiskLayout;
 pub use error::MeshError;

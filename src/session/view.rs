@@ -2,7 +2,10 @@
 
 use crate::conformal::{Direction, Extension, Side};
 use crate::geometry::PicturePlacement;
-use crate::tiling::{Tiling, TilingPattern, TilingStyle};
+use crate::tiling::TilingPattern;
+#[cfg(feature = "io")]
+use crate::tiling::{Tiling, TilingStyle};
+#[cfg(feature = "io")]
 use serde::{Deserialize, Serialize};
 
 /// The settings of the map and of its display, the same for both sides.
@@ -57,6 +60,7 @@ impl Default for Display {
 
 /// The tiling as links and files keep it, beside settings that programs older than tilings understand: to these a tiling
 /// is the conformal grid, which lies in the same coordinates.
+#[cfg(feature = "io")]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct KeptTiling {
     #[serde(rename = "numbers")]
@@ -66,6 +70,7 @@ pub(super) struct KeptTiling {
     is_shown: bool,
 }
 
+#[cfg(feature = "io")]
 impl Display {
     /// The settings without tilings, and the tiling unless it is the default and not shown.
     pub(super) fn without_tiling(self) -> (Self, Option<KeptTiling>) {

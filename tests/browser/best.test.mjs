@@ -22,7 +22,7 @@ withOneBackend('the best map', (bench) => {
       assert.ok(moved > 1e-3, `the map has changed by ${moved}`);
       await app.picture('best-map');
       await app.press('Control+z');
-      const back = await app.atRest('the points are back', (stats) => stats.ready && stats.undo === before.undo);
+      const back = await app.atRest('the points are back', (stats, undo) => stats.ready && stats.undo === undo, before.undo);
       assert.ok(Math.abs(back.boundary_checksum - before.boundary_checksum) < 1e-9, 'the same map');
     }),
   );
@@ -39,7 +39,8 @@ withOneBackend('the best map', (bench) => {
       await app.click([x, y + 60]);
       const after = await app.atRest(
         'x₁ has moved',
-        (stats) => stats.ready && Math.hypot(stats.handles.x1[0] - x, stats.handles.x1[1] - y - 60) < 3,
+        (stats, [left, top]) => stats.ready && Math.hypot(stats.handles.x1[0] - left, stats.handles.x1[1] - top) < 3,
+        [x, y + 60],
       );
       assert.equal(after.best.lowest, shown.best.lowest, 'the landscape stays');
       assert.equal(after.undo, before.undo + 1);

@@ -1,6 +1,6 @@
 //! What catches a dragged dot: corners of an outline and, where they are shown, its axes and centers of symmetry.
 //!
-//! A dot is caught within [`REACH`] of the pointer and free beyond, so that no drag is stopped; with Alt nothing catches
+//! A dot is caught within a few pixels of the pointer and free beyond, so that no drag is stopped; with Alt nothing catches
 //! it.
 
 use crate::geometry::{DVec2, Rotations};

@@ -121,7 +121,8 @@ fn region(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     }
 }
 
-/// The least value against the number of values; both axes end at the data, the vertical one is logarithmic.
+/// The least value against the number of values, first by the formula, then of the map itself, with the first and the last
+/// value; both axes end at the data, the vertical one is logarithmic.
 fn paint_course(ui: &mut Ui, course: &[(usize, f64)]) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), COURSE_HEIGHT), Sense::hover());
     response.on_hover_text(tr(key::course_tooltip()));
@@ -130,7 +131,7 @@ fn paint_course(ui: &mut Ui, course: &[(usize, f64)]) {
     painter.rect_stroke(rect, CornerRadius::same(4), Stroke::new(1.0, palette.border), egui::StrokeKind::Inside);
     let known: Vec<(usize, f64)> =
         course.iter().copied().filter(|(_, value)| value.is_finite() && *value > 0.0).collect();
-    let (Some(&(last, _)), Some(least), Some(most)) = (
+    let (Some(&(last, reached)), Some(least), Some(most)) = (
         known.last(),
         known.iter().map(|point| point.1).reduce(f64::min),
         known.iter().map(|point| point.1).reduce(f64::max),
@@ -147,7 +148,7 @@ fn paint_course(ui: &mut Ui, course: &[(usize, f64)]) {
     let line = steps.chain(known.last().map(place)).collect();
     painter.line(line, Stroke::new(1.5, palette.accent_soft));
     let font = caption_font(ui);
-    let corners = [(Align2::RIGHT_TOP, inner.right_top(), most), (Align2::RIGHT_BOTTOM, inner.right_bottom(), least)];
+    let corners = [(Align2::RIGHT_TOP, inner.right_top(), most), (Align2::RIGHT_BOTTOM, inner.right_bottom(), reached)];
     for (align, at, value) in corners {
         painter.text(at, align, number(value, 3), font.clone(), palette.weak);
     }

@@ -1,7 +1,7 @@
 //! The best map of the family: the criterion, the search in slices of frames, and the points' way to its result.
 //!
 //! A search belongs to the sides, constraints and direction at which it began; if one of them changes, it ends without a
-//! result. Its result is one change of the session: the points move there along the disk's shortest ways ([`flight`]).
+//! result. Its result is one change of the session: the points move there along the disk's shortest ways (`flight`).
 //! The region, painted with a brush, is part of the session; the criterion that is chosen is not.
 
 mod criterion;

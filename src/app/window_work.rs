@@ -1,17 +1,19 @@
-//! The app's side of the export window.
+//! The app's side of the windows of exports and of map projections: their actions, carried out.
 
 use crate::app::RiemapApp;
-use crate::app::input::action::{Actions, ExportAction};
+use crate::app::input::action::{Actions, ExportAction, ProjectionAction};
+use crate::app::panels::offer::Offer;
 use crate::app::viewport::gpu::Gpu;
 use crate::app::windows::exporting::window::{MapState, Surroundings};
 use crate::conformal::PerSide;
 use crate::language::key;
 use crate::model::export::file;
 use crate::model::export::request::Kind;
+use crate::model::files::FilePurpose;
 use crate::model::scene;
 use crate::offscreen::job::{Job, Scenery};
 use crate::platform;
-use crate::worker::{Finding, FormulaTask, Study};
+use crate::worker::{Finding, FormulaTask, ProjectionTask, Study};
 use egui::Context;
 
 impl RiemapApp {
@@ -120,6 +122,44 @@ impl RiemapApp {
         let Some(gpu) = &self.pictures.gpu else { return };
         if let Some(file) = self.windows.exporter.work(gpu.device()) {
             platform::save_file(&file.name, file.bytes, self.workers.mailbox.clone());
+        }
+    }
+}
+
+impl RiemapApp {
+    /// Carries out an action of the window.
+    pub(in crate::app) fn act_on_projection(&mut self, action: ProjectionAction) {
+        match action {
+            ProjectionAction::Open => self.windows.projection.open(),
+            ProjectionAction::OpenFile => self.pick_file(FilePurpose::Region),
+            ProjectionAction::Island => self.project(ProjectionTask::Island),
+            ProjectionAction::Offered => {
+                if let Some(file) = self.messages.offer.take().and_then(Offer::into_region) {
+                    self.project(ProjectionTask::File { name: file.name, bytes: file.bytes.to_vec() });
+                }
+            }
+            ProjectionAction::Save(format) => {
+                if let Some(file) = self.windows.projection.file(format) {
+                    platform::save_file(&file.name, file.bytes, self.workers.mailbox.clone());
+                }
+            }
+            ProjectionAction::Cancel => self.cancel_projection(),
+            ProjectionAction::Close => {
+                self.cancel_projection();
+                self.windows.projection.close();
+            }
+        }
+    }
+
+    /// Computes a region's projection, in place of the one that is shown, and shows the window.
+    pub(in crate::app) fn project(&mut self, task: ProjectionTask) {
+        self.windows.projection.begin(task.clone());
+        self.workers.projection_runner.begin(Study::Projection(Box::new(task)));
+    }
+
+    fn cancel_projection(&mut self) {
+        if self.windows.projection.cancel() {
+            self.workers.projection_runner.cancel();
         }
     }
 }
