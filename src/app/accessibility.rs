@@ -127,7 +127,12 @@ pub(super) fn caught(app: &RiemapApp) -> Option<String> {
         }
     };
     let (low, high) = model.extent(side)?;
-    let is_there = place.distance(catch.place) <= SAME_PLACE * (high - low).max_element();
+    // a boundary point lies on the samples, next to what catches it
+    let expected = match kind {
+        HandleKind::Interior => catch.place,
+        HandleKind::Boundary | HandleKind::Pin(_) => samples.position(samples.nearest(catch.place)),
+    };
+    let is_there = place.distance(expected) <= SAME_PLACE * (high - low).max_element();
     let words = catch.by.words(model.symmetries(side).and_then(|found| found.as_ref().ok())).filter(|_| is_there)?;
     Some(say(&key::caught_dot(handle.symbol().into_owned(), words)))
 }

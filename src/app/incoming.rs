@@ -48,7 +48,7 @@ impl RiemapApp {
                 Event::StoredElsewhere(Kept::Lesson) => _ = self.meet_other_draft(),
                 // each tab has a session and preferences of its own
                 Event::StoredElsewhere(Kept::Session | Kept::Preferences) => {}
-                Event::Visited { id, kept } => self.take_visit(&id, kept),
+                Event::Visited { id, own, kept } => self.take_visit(&id, own, kept),
                 Event::Kept(result) => self.take_kept(result),
                 Event::GraphicsLost(reason) => self.take_loss_of_graphics(&reason),
                 Event::Image { purpose, name, file, pixels } => {

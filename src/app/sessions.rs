@@ -203,13 +203,13 @@ impl RiemapApp {
         self.persistence.open_link(missing, platform::link());
     }
 
-    /// Stores the session when it is at rest. In the tour or a lesson that is the one from before, at once: their own
-    /// sessions are not stored, and a reload restores the user's.
     /// Whether points move by themselves: along a loop, or to the best map.
     fn is_in_motion(&self) -> bool {
         self.player.is_playing() || self.model.best().is_moving()
     }
 
+    /// Stores the session when it is at rest. In the tour or a lesson that is the one from before, at once: their own
+    /// sessions are not stored, and a reload restores the user's.
     pub(super) fn keep(&mut self, context: &egui::Context) {
         self.keep_lesson();
         let (held, now) = context.input(|input| (input.pointer.any_down() || !input.keys_down.is_empty(), input.time));

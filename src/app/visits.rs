@@ -14,51 +14,54 @@ impl RiemapApp {
     /// where sessions are not kept.
     pub(super) fn begin_visit(&mut self) {
         if let Some(id) = platform::new_visit() {
-            self.leave_visit_for(id.clone());
+            let left = self.leave_visit();
+            self.persistence.visits.leave_for(id.clone(), left);
             platform::begin_visit(&id);
         }
     }
 
-    fn leave_visit_for(&mut self, next: String) {
+    /// Stores what is overdue of the visit that is shown, and returns what stays of it in memory.
+    fn leave_visit(&mut self) -> Left {
         let at_rest = self.own_at_rest().cloned();
         let steps = self.persistence.leave(at_rest.as_ref());
         if let Some(session) = at_rest.filter(|session| self.persistence.overdue_copy(session).is_some()) {
             self.store_visit(&session);
         }
-        let picture = self.own_picture();
-        self.persistence.visits.leave_for(next, Left { steps, picture });
+        Left { steps, picture: self.own_picture() }
     }
 
     /// Shows the visit that the user went back or forward to; if sessions are locked, nothing changes.
     pub(super) fn go_to_visit(&mut self, id: String) {
-        if self.persistence.visits.current() == Some(id.as_str()) || !self.may(Touched::EVERYTHING) {
+        if self.persistence.visits.is_at(&id) || !self.may(Touched::EVERYTHING) {
             return;
         }
-        let left = self.persistence.visits.left(&id).cloned();
-        self.leave_visit_for(id.clone());
-        match left {
+        let present = self.leave_visit();
+        match self.persistence.visits.left(&id).cloned() {
             // its surfaces are still at hand
             Some(Left { steps, picture }) => {
+                self.persistence.visits.leave_for(id, present);
                 self.show_archive(Archive { history: steps, surfaces: Vec::new(), picture });
             }
-            None => platform::load_visit(id, self.workers.mailbox.clone()),
+            None => self.read_visit(id, present),
         }
+    }
+
+    fn read_visit(&mut self, id: String, present: Left) {
+        self.persistence.visits.leave_to_read(id.clone(), present);
+        platform::load_visit(id, self.workers.mailbox.clone());
     }
 
     /// Opens a kept visit as a new entry of the browser's history.
     pub(super) fn open_kept(&mut self, id: &str) {
-        self.leave_visit_for(id.to_owned());
+        let present = self.leave_visit();
         platform::begin_visit(id);
-        platform::load_visit(id.to_owned(), self.workers.mailbox.clone());
+        self.read_visit(id.to_owned(), present);
     }
 
-    /// Shows a visit that was read; one that is not kept any more is opened from the address.
-    pub(super) fn take_visit(&mut self, id: &str, kept: Option<KeptVisit>) {
-        if self.persistence.visits.current() != Some(id) {
+    /// Shows a visit that was read, under its `own` id; one that is not kept any more is opened from the address.
+    pub(super) fn take_visit(&mut self, id: &str, own: String, kept: Option<KeptVisit>) {
+        if !self.persistence.visits.take_read(id, own) {
             return; // the user has gone on
-        }
-        if let Some(kept) = &kept {
-            self.persistence.visits.rename(&kept.id);
         }
         match kept.map(|kept| kept.archive()) {
             Some(Ok(archive)) => self.show_archive(archive),

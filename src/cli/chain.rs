@@ -166,7 +166,7 @@ fn by_fractions(links: &[ConformalMap], whole: &ConformalMap) -> f64 {
     fractions(whole).map(off).fold(0.0, f64::max)
 }
 
-/// The largest difference inside; `None` with a surface.
+/// The largest difference inside; `None` with a surface, or if no point has an image.
 fn inside(links: &[ConformalMap], whole: &ConformalMap) -> Option<f64> {
     let (vertices, boundary) = {
         let domain = whole.domain(Side::Source)?;
@@ -180,7 +180,7 @@ fn inside(links: &[ConformalMap], whole: &ConformalMap) -> Option<f64> {
         let linked = links.iter().try_fold(point, |point, link| image(link, point))?;
         Some(linked.distance(image(&at_once, point)?))
     };
-    Some(inner.iter().step_by(inner.len() / INSIDE + 1).filter_map(off).fold(0.0, f64::max))
+    inner.iter().step_by(inner.len() / INSIDE + 1).filter_map(off).reduce(f64::max)
 }
 
 fn image(map: &InteriorMap<'_>, point: DVec2) -> Option<DVec2> {

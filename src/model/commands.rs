@@ -120,6 +120,9 @@ impl Model {
             return self.close_surface(side);
         }
         self.pinned.expect(None);
+        if side == Side::Source {
+            self.session.apply(Command::SetRegion(Vec::new())); // it was painted on another shape
+        }
         self.sides[side].next = Next::Outline;
         self.sides[side].incoming_points = None;
         self.side_mut(side).error = None;

@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 /// A place nearer to the circle than this is taken for one of the boundary: nearer, positions from finite elements are not
 /// right, and walks among triangles that crowd there take long.
-const RIM: f64 = 1e-6;
+const RIM: f64 = 1e-10;
 
 /// One side and its map to the disk.
 #[derive(Debug)]

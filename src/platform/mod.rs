@@ -94,8 +94,10 @@ pub enum Event {
     GoneTo(String),
     /// A kept visit was read; `None` if it is not kept any more.
     Visited {
-        /// Its id.
+        /// The id that was asked for.
         id: String,
+        /// The id under which this tab goes on: another one if another tab has that visit.
+        own: String,
         /// The visit.
         kept: Option<KeptVisit>,
     },

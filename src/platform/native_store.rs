@@ -37,7 +37,7 @@ pub fn keep(visit: Visit, mailbox: Mailbox) {
 /// Posts that no other visit is kept.
 #[allow(clippy::needless_pass_by_value, reason = "in the browser it is read later")]
 pub fn load_visit(id: String, mailbox: Mailbox) {
-    mailbox.post(Event::Visited { id, kept: None });
+    mailbox.post(Event::Visited { own: id.clone(), id, kept: None });
 }
 
 fn write(folder: &Path, parts: &[Part]) -> io::Result<()> {

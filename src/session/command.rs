@@ -109,7 +109,7 @@ impl Command {
             Self::SetOutline { .. } | Self::PinOutline { .. } | Self::SetSurface { .. } => Touched::ANOTHER_SHAPE,
             Self::CloseSurface(_) => Touched::SHAPES | Touched::POINTS,
             Self::ReshapeOutline { .. } => Touched::SHAPES, // its points are carried along
-            Self::Swap => Touched::SHAPES | Touched::POINTS | Touched::SETTINGS | Touched::COMPARISON,
+            Self::Swap => Touched::SHAPES | Touched::POINTS | Touched::SETTINGS,
             Self::MoveInterior { .. } => Touched::INTERIOR,
             Self::MoveAnchor { .. } => Touched::BOUNDARY,
             Self::PlacePoints { .. } | Self::SetPins(_) | Self::MovePin { .. } => Touched::POINTS,
@@ -132,14 +132,17 @@ impl Command {
 impl Session {
     /// The parts that a command would touch in this session: [`Command::touches`]; [`Touched::NOTHING`] if it needs a
     /// surface that the side does not have; the interior point too if it refines a surface with a point set, whose
-    /// triangle is replaced.
+    /// triangle is replaced; the comparison too if it drops the region painted on the source.
     pub fn touched_by(&self, command: &Command) -> Touched {
         if !self.has_object_of(command) {
             return Touched::NOTHING;
         }
         let drops_point = matches!(command, Command::RefineSurface { side, surface }
             if self.surface(*side).is_some_and(|there| there.point.is_some() && there.spec.shape != surface.shape));
-        command.touches() | if drops_point { Touched::INTERIOR } else { Touched::NOTHING }
+        let drops_region = !self.region.is_empty()
+            && matches!(command, Command::Swap | Command::PinOutline { side: Side::Source, .. });
+        let dropped = [(drops_point, Touched::INTERIOR), (drops_region, Touched::COMPARISON)];
+        dropped.into_iter().filter(|(drops, _)| *drops).fold(command.touches(), |all, (_, part)| all | part)
     }
 
     /// Applies a command and returns what it touched: [`Self::touched_by`] of the session before.
@@ -159,6 +162,9 @@ impl Session {
             Command::PinOutline { side, outline, pins } => {
                 self.apply(Command::SetOutline { side, outline });
                 self.pins = Some(pins);
+                if side == Side::Source {
+                    self.region.clear();
+                }
             }
             Command::ReshapeOutline { side, outline, interior, anchor } => {
                 self.sides[side].domain.outline = outline;

@@ -230,7 +230,6 @@ fn differences(a: &Session, b: &Session) -> Touched {
         (a.display.colouring != b.display.colouring || a.display.wireframe != b.display.wireframe, Touched::COLOURS),
         (a.display.plots != b.display.plots, Touched::PLOTS),
         (a.display.comparison != b.display.comparison || a.region != b.region, Touched::COMPARISON),
-        (a.display.comparison != b.display.comparison, Touched::COMPARISON),
         (a.display.symmetries != b.display.symmetries, Touched::COMPARISON),
     ];
     parts.into_iter().filter(|(differs, _)| *differs).fold(Touched::NOTHING, |all, (_, part)| all | part)

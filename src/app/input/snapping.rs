@@ -1,7 +1,7 @@
 //! What catches a dragged dot: corners of an outline and, where they are shown, its axes and centers of symmetry.
 //!
 //! A dot is caught within a few pixels of the pointer and free beyond, so that no drag is stopped; with Alt nothing catches
-//! it.
+//! it. Where places lie closely, as the corners of a coast, at least half of the way from one to the next is free.
 
 use crate::geometry::{DVec2, Rotations};
 use crate::language::{Message, key, number, say, tr};
@@ -12,6 +12,8 @@ use egui::Ui;
 /// the place and cannot hold Alt.
 const REACH: f32 = 8.0;
 const FINGER_REACH: f32 = 4.0;
+/// Places nearer to each other on the screen are one, in points: the end of an axis in a corner.
+const ONE_PLACE: f32 = 1.0;
 
 /// What catches dots; axes are counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,37 +47,46 @@ pub fn reach(ui: &Ui) -> f32 {
     }
 }
 
-/// What catches an interior point at `at`: the center before any axis. `distance` is that on the screen.
+/// What catches an interior point at `at`: the center before any axis. `distance` is that of two places on the screen.
 pub fn of_interior(
     found: &FoundSymmetries,
     at: DVec2,
     reach: f32,
-    distance: impl Fn(DVec2) -> f32,
+    distance: impl Fn(DVec2, DVec2) -> f32,
 ) -> impl Iterator<Item = Catch> {
     let symmetries = &found.symmetries;
     let has_center = symmetries.rotations != Rotations::Identity;
     let center = has_center.then_some(Catch { by: Catcher::Center, place: symmetries.center });
     let axes = symmetries.axes.iter().enumerate();
-    let axes = axes.map(|(axis, line)| Catch { by: Catcher::Axis(axis), place: line.foot(at) });
-    let axis = nearest(axes, &distance);
-    [center, axis].into_iter().flatten().filter(move |catch| distance(catch.place) < reach)
+    let axes: Vec<Catch> = axes.map(|(axis, line)| Catch { by: Catcher::Axis(axis), place: line.foot(at) }).collect();
+    let axis = nearest(&axes, at, reach, &distance);
+    let center = center.filter(|center| distance(at, center.place) < reach);
+    center.into_iter().chain(axis)
 }
 
-/// What catches a boundary point: the nearest end of an axis or corner. `distance` is that on the screen.
+/// What catches a boundary point at `at`: the nearest end of an axis or corner. `distance` is that of two places on the
+/// screen.
 pub fn of_boundary(
     found: Option<&FoundSymmetries>,
     corners: &[DVec2],
+    at: DVec2,
     reach: f32,
-    distance: impl Fn(DVec2) -> f32,
+    distance: impl Fn(DVec2, DVec2) -> f32,
 ) -> Option<Catch> {
     let ends = found.into_iter().flat_map(|found| found.ends.iter().enumerate());
     let ends = ends.flat_map(|(axis, ends)| ends.iter().map(move |&place| Catch { by: Catcher::End(axis), place }));
     let corners = corners.iter().map(|&place| Catch { by: Catcher::Corner, place });
-    nearest(ends.chain(corners), &distance).filter(|catch| distance(catch.place) < reach)
+    nearest(&ends.chain(corners).collect::<Vec<_>>(), at, reach, &distance)
 }
 
-fn nearest(places: impl Iterator<Item = Catch>, distance: &impl Fn(DVec2) -> f32) -> Option<Catch> {
-    places.min_by(|a, b| distance(a.place).total_cmp(&distance(b.place)))
+/// The nearest place within reach, unless it is farther than a quarter of the way over it to the next one.
+fn nearest(places: &[Catch], at: DVec2, reach: f32, distance: &impl Fn(DVec2, DVec2) -> f32) -> Option<Catch> {
+    let from_here = |catch: &Catch| distance(at, catch.place);
+    let best = places.iter().min_by(|a, b| from_here(a).total_cmp(&from_here(b)))?;
+    let here = from_here(best);
+    let others = places.iter().filter(|other| distance(best.place, other.place) > ONE_PLACE);
+    let next = others.map(from_here).fold(f32::INFINITY, f32::min);
+    (here < reach.min(0.25 * (here + next))).then_some(*best)
 }
 
 impl Catcher {
@@ -119,11 +130,15 @@ mod tests {
         StudiedOutline::Preset(Preset::Square).symmetries().unwrap()
     }
 
-    /// What catches an interior point of the square, on a screen of 100 points to the unit.
+    /// The distance on a screen of 100 points to the unit.
+    fn on_screen(a: DVec2, b: DVec2) -> f32 {
+        100.0 * a.distance(b) as f32
+    }
+
+    /// What catches an interior point of the square.
     fn interior(x: f64, y: f64, reach: f32) -> Vec<(Catcher, DVec2)> {
         let at = DVec2::new(x, y);
-        let distance = |place: DVec2| 100.0 * place.distance(at) as f32;
-        of_interior(&square(), at, reach, distance).map(|catch| (catch.by, catch.place)).collect()
+        of_interior(&square(), at, reach, on_screen).map(|catch| (catch.by, catch.place)).collect()
     }
 
     #[test]
@@ -139,8 +154,7 @@ mod tests {
         let found = square();
         let corners = Preset::Square.outline().corner_places();
         let caught = |found: Option<&FoundSymmetries>, x: f64, y: f64| {
-            let at = DVec2::new(x, y);
-            of_boundary(found, &corners, REACH, |place| 100.0 * place.distance(at) as f32)
+            of_boundary(found, &corners, DVec2::new(x, y), REACH, on_screen)
         };
         let corner = Catch { by: Catcher::Corner, place: DVec2::splat(0.9) };
         assert_eq!(caught(None, 0.85, 0.9), Some(corner));
@@ -148,6 +162,25 @@ mod tests {
         assert_eq!(caught(Some(&found), 0.05, 0.9).unwrap().by, Catcher::End(2));
         assert_eq!(caught(Some(&found), 0.85, 0.9).unwrap().by, Catcher::End(1), "the diagonal ends in the corner");
         assert_eq!(caught(Some(&found), 0.81, 0.9), None);
+    }
+
+    /// A coast's corners are five points apart: y stops in each, and is free over half of the way to the next.
+    #[test]
+    fn between_close_corners_a_point_is_free() {
+        let corners: Vec<DVec2> = (0..200).map(|k| DVec2::new(0.05 * f64::from(k), 0.0)).collect();
+        let caught =
+            |x: f64| of_boundary(None, &corners, DVec2::new(x, 0.0), REACH, on_screen).map(|catch| catch.place.x);
+        assert_eq!(caught(5.01), Some(5.0));
+        assert_eq!([5.013, 5.02, 5.03, 5.037].map(caught), [None; 4]);
+        assert_eq!(caught(5.04), Some(5.05));
+        // among the five axes of the star, too: about half of the way from one to the next is free at any distance from their center
+        let star = StudiedOutline::Preset(Preset::Star).symmetries().unwrap();
+        let center = star.symmetries.center;
+        let at = |angle: f64| center + 0.3 * DVec2::from_angle(angle.to_radians());
+        let axes =
+            |angle: f64| of_interior(&star, at(angle), 1e3, on_screen).filter(|catch| catch.by != Catcher::Center);
+        assert_eq!(axes(92.0).map(|catch| catch.by).collect::<Vec<_>>(), [Catcher::Axis(2)]);
+        assert_eq!(axes(99.0).count(), 0, "in the middle of two");
     }
 
     #[test]

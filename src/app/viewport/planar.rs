@@ -201,15 +201,15 @@ fn caught(
 ) -> Option<Catch> {
     let found = model.symmetries(side).and_then(|found| found.as_ref().ok());
     let reach = snapping::reach(ui);
+    let distance = |a, b| view.to_screen(a).distance(view.to_screen(b));
     if kind == HandleKind::Interior {
-        let distance = |place| view.to_screen(place).distance(view.to_screen(at));
         let is_inside = |catch: &Catch| model.interior_near(side, catch.place) == Some(catch.place);
         return snapping::of_interior(found?, at, reach, distance).find(is_inside);
     }
     let samples = model.domain(side)?.samples();
-    let on_boundary = view.to_screen(samples.position(samples.nearest(at)));
+    let on_boundary = samples.position(samples.nearest(at));
     let corners = handles.corners.get_or_insert_with(|| model.corner_places(side));
-    snapping::of_boundary(found, corners, reach, |place| view.to_screen(place).distance(on_boundary))
+    snapping::of_boundary(found, corners, on_boundary, reach, distance)
 }
 
 /// Pans by dragging, unless something in the picture is `held`, and zooms by scrolling. A double-click fits the outline

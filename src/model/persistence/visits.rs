@@ -100,6 +100,8 @@ pub struct Left {
 #[derive(Debug, Default)]
 pub struct Visits {
     current: Option<String>,
+    /// The visit that is being read and will be shown; until then nothing is stored.
+    awaited: Option<String>,
     left: VecDeque<(String, Left)>,
     /// The kept visits, the newest first.
     pub listed: Vec<Listed>,
@@ -108,7 +110,7 @@ pub struct Visits {
 impl Visits {
     /// Visits of which `current` is shown.
     pub fn new(current: Option<String>, listed: Vec<Listed>) -> Self {
-        Self { current, left: VecDeque::new(), listed }
+        Self { current, awaited: None, left: VecDeque::new(), listed }
     }
 
     /// The id of the visit that is shown; `None` if none are kept.
@@ -118,17 +120,41 @@ impl Visits {
 
     /// Leaves the visit that is shown, as `left`, for `next`.
     pub fn leave_for(&mut self, next: String, left: Left) {
-        let Some(former) = self.current.replace(next) else { return };
+        self.awaited = None;
+        if let Some(former) = self.current.replace(next) {
+            self.keep_left(former, left);
+        }
+    }
+
+    /// Leaves the visit that is shown, as `left`, for one that is read first.
+    pub fn leave_to_read(&mut self, next: String, left: Left) {
+        self.awaited = Some(next);
+        if let Some(former) = self.current.take() {
+            self.keep_left(former, left);
+        }
+    }
+
+    /// Goes on with the visit that was read, under an id of its own if another tab has the former one. False if the user has
+    /// gone elsewhere since.
+    pub fn take_read(&mut self, id: &str, own: String) -> bool {
+        let is_awaited = self.awaited.take_if(|awaited| awaited == id).is_some();
+        if is_awaited {
+            self.current = Some(own);
+        }
+        is_awaited
+    }
+
+    /// Whether the visit is shown or being read.
+    pub fn is_at(&self, id: &str) -> bool {
+        [&self.current, &self.awaited].into_iter().flatten().any(|known| known == id)
+    }
+
+    fn keep_left(&mut self, former: String, left: Left) {
         self.left.retain(|(id, _)| *id != former);
         self.left.push_back((former, left));
         if self.left.len() > MOST_LEFT {
             self.left.pop_front();
         }
-    }
-
-    /// Gives the visit that is shown another id, since another tab has the former one.
-    pub fn rename(&mut self, id: &str) {
-        self.current = Some(id.to_owned());
     }
 
     /// A visit that was left, if it is in memory.
@@ -163,6 +189,21 @@ mod tests {
             visits.leave_for(format!("{k}"), left(&history));
         }
         assert!(visits.left("b").is_none() && visits.left("18").is_some(), "the last ones stay");
+    }
+
+    /// Another tab may have the visit: until its own id is known, the session of the former visit must not be stored as it.
+    #[test]
+    fn a_visit_that_is_read_is_no_visit_until_it_is_there() {
+        let left = || Left { steps: History::new(scaled(4.0)), picture: None };
+        let mut visits = Visits::new(Some("a".into()), Vec::new());
+        visits.leave_to_read("b".into(), left());
+        assert!(visits.current().is_none() && visits.is_at("b") && visits.left("a").is_some());
+        assert!(visits.take_read("b", "copy of b".into()));
+        assert_eq!(visits.current(), Some("copy of b"));
+        visits.leave_to_read("c".into(), left());
+        visits.leave_for("d".into(), left());
+        assert!(!visits.take_read("c", "c".into()), "the user has gone on");
+        assert_eq!(visits.current(), Some("d"));
     }
 
     #[test]

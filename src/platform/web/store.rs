@@ -138,9 +138,10 @@ async fn store(visit: &Visit, all: bool) -> Result<Vec<Listed>, Message> {
 /// Reads a visit; it is posted to `mailbox`, with an id of its own if another tab has it.
 pub fn load_visit(id: String, mailbox: Mailbox) {
     wasm_bindgen_futures::spawn_local(async move {
-        let found = awaited(store_load(&own_id(id.clone()).await)).await;
+        let own = own_id(id.clone()).await;
+        let found = awaited(store_load(&own)).await;
         let kept = found.ok().filter(JsValue::is_object).and_then(|visit| decode(&visit));
-        mailbox.post(Event::Visited { id, kept });
+        mailbox.post(Event::Visited { id, own, kept });
     });
 }
 
