@@ -280,7 +280,8 @@ fn bad_input_is_refused_with_its_cause() {
     let saw = |k: u32| (if k.is_multiple_of(2) { 1.0 } else { 0.8 }) * DVec2::from_angle(f64::from(k) * 0.01);
     let points: Vec<[f64; 2]> = (0..628).map(|k| saw(k).to_array()).collect();
     let saw = file(&folder, "saw.json", &serde_json::to_string(&points).unwrap());
-    with(&saw, marks, "4x4", 1, &["saw.json", "unknowns", "more than the limit"]);
+    let arguments = ["grid", &saw, "--interpret", "polygon", "--marks", marks, "--cells", "4x4", "--out", &out];
+    fails(&arguments, 1, &["saw.json", "unknowns", "more than the limit"]);
     let svg = folder.join("g.png").display().to_string();
     let arguments = ["grid", "preset:disk", "--marks", marks, "--cells", "4x4", "--out"];
     fails(&[&arguments[..], &[&svg]].concat(), 2, &["csv, svg, obj or vtk"]);

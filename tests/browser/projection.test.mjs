@@ -22,7 +22,7 @@ withOneBackend('projection', (bench) => {
     bench.withApp(async (app) => {
       await app.walkTo(/^File, button/);
       await app.press('Enter');
-      await app.walkTo(/^Map projection…, button/);
+      await app.walkTo(/^Map projection… , button/);
       await app.press('Enter');
       await app.until('the window is there', (stats) => stats.projection);
       await app.walkTo(/^Show an island, button/);

@@ -61,7 +61,6 @@ withOneBackend('quadrilaterals', (bench) => {
       const rows = bytes.toString().trim().split('\n');
       assert.deepEqual([rows[0], rows.length], ['i,j,x,y', 1 + 21 * 11]);
       await app.walkTo(/^cells from mark 1 to 2/);
-      await app.press('Enter');
       await app.press('Control+a');
       await app.page.keyboard.type('150');
       await app.press('Enter');
