@@ -25,7 +25,9 @@ impl Model {
         if touched.touches(Touched::NEW_SHAPE) {
             self.pinned.expect(None);
         }
-        if let Command::SetOutline { side: Side::Source, .. } | Command::SetSurface { side: Side::Source, .. } = command
+        if let Command::SetOutline { side: Side::Source, .. }
+        | Command::SetSurface { side: Side::Source, .. }
+        | Command::CloseSurface(Side::Source) = command
         {
             self.session.apply(Command::SetRegion(Vec::new())); // it was painted on another shape
         }

@@ -25,6 +25,9 @@ impl Model {
     }
 
     fn shared_symmetries(&mut self) -> Shared {
+        if !self.abilities().compares_outlines() {
+            return Err(OptimizeError::NoSharedSymmetry);
+        }
         let sides = self.both_sides().ok_or(OptimizeError::NoSharedSymmetry)?.map(|side| Arc::downgrade(&side));
         let is_of =
             |known: &PerSide<Weak<PreparedSide>>| Side::BOTH.into_iter().all(|side| known[side].ptr_eq(&sides[side]));

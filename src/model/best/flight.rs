@@ -3,6 +3,9 @@
 use crate::conformal::Constraints;
 use crate::optimization::Optimization;
 
+/// Fractions of a boundary's length are the same up to this, and up to whole numbers.
+const SAME_FRACTION: f64 = 1e-9;
+
 /// Seconds from the start to the result: long enough to follow the points by eye.
 const SECONDS: f64 = 1.2;
 
@@ -14,6 +17,15 @@ const PLACES: u32 = 48;
 pub struct Flight {
     way: Vec<Constraints>,
     begun: Option<f64>,
+    /// Where the points were sent last, at first the start.
+    last: Constraints,
+}
+
+/// Whether constraints are the same up to rounding of the boundary points.
+pub fn is_same_place(a: &Constraints, b: &Constraints) -> bool {
+    let off = |a: f64, b: f64| (a - b - (a - b).round()).abs();
+    a.points == b.points
+        && off(a.anchors.source, b.anchors.source).max(off(a.anchors.target, b.anchors.target)) < SAME_FRACTION
 }
 
 impl Flight {
@@ -25,7 +37,7 @@ impl Flight {
         }
         let places = if is_calm { 0 } else { PLACES };
         let way = (0..places).map_while(|k| search.way(f64::from(k) / f64::from(PLACES)));
-        Some(Self { way: way.chain([found]).collect(), begun: None })
+        Some(Self { way: way.chain([found]).collect(), begun: None, last: *search.start() })
     }
 
     /// Where the points are at a time, in seconds; the first call begins the motion.
@@ -33,7 +45,13 @@ impl Flight {
         let share = self.share(now);
         self.begun.get_or_insert(now);
         let last = self.way.len() - 1;
-        self.way[((share * last as f64) as usize).min(last)]
+        self.last = self.way[((share * last as f64) as usize).min(last)];
+        self.last
+    }
+
+    /// Whether the points are where they were sent; otherwise somebody else has moved them.
+    pub fn is_undisturbed(&self, at: &Constraints) -> bool {
+        is_same_place(&self.last, at)
     }
 
     /// Whether the points are at their end.

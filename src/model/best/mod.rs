@@ -14,10 +14,10 @@ use crate::geometry::DVec3;
 use crate::language::{Message, key};
 use crate::laplace::Deadline;
 use crate::model::Model;
-use crate::optimization::{Dab, MOST_DABS, Optimization};
+use crate::optimization::{Criterion, Dab, MOST_DABS, Optimization, Region};
 use crate::session::{Command, Touched};
 use criterion::KnownSymmetries;
-use flight::Flight;
+use flight::{Flight, is_same_place};
 use mask::Mask;
 use relief::Relief;
 pub use relief::{Landscapes, Level};
@@ -86,20 +86,22 @@ pub struct Outcome {
     pub course: Vec<(usize, f64)>,
 }
 
-/// A search under way and what it belongs to.
+/// A search under way.
 #[derive(Debug)]
 struct Search {
     aim: Aim,
     optimization: Optimization,
-    sides: PerSide<Weak<PreparedSide>>,
 }
 
 /// The state of this part of the model.
 #[derive(Debug)]
 pub struct BestMap {
     aim: Aim,
+    /// The sides of the last search; its result is theirs.
+    sides: Option<PerSide<Weak<PreparedSide>>>,
     search: Option<Search>,
-    outcome: Option<Outcome>,
+    /// The result of the last search, and its constraints.
+    outcome: Option<(Outcome, Constraints)>,
     error: Option<Message>,
     flight: Option<Flight>,
     is_painting: bool,
@@ -113,6 +115,7 @@ impl Default for BestMap {
     fn default() -> Self {
         Self {
             aim: Aim::default(),
+            sides: None,
             search: None,
             outcome: None,
             error: None,
@@ -139,7 +142,7 @@ impl BestMap {
 
     /// The result of the last search for this criterion.
     pub fn outcome(&self) -> Option<&Outcome> {
-        self.outcome.as_ref().filter(|outcome| outcome.aim == self.aim)
+        self.outcome.as_ref().map(|(outcome, _)| outcome).filter(|outcome| outcome.aim == self.aim)
     }
 
     /// Why there is no result.
@@ -224,7 +227,7 @@ impl Model {
             Err(error) => return best.error = Some(Message::from(&error)),
         };
         let optimization = Optimization::new(sides, criterion, start, settings);
-        best.search = Some(Search { aim: best.aim, optimization, sides: weak });
+        (best.search, best.sides) = (Some(Search { aim: best.aim, optimization }), Some(weak));
     }
 
     fn both_sides(&self) -> Option<PerSide<Arc<PreparedSide>>> {
@@ -237,6 +240,7 @@ impl Model {
         self.follow_region();
         self.advance_search(is_calm);
         let is_relief_pending = self.advance_relief();
+        self.drop_disturbed();
         let Some(flight) = &mut self.best.flight else {
             return (Vec::new(), self.best.search.is_some() || is_relief_pending);
         };
@@ -251,6 +255,28 @@ impl Model {
         (commands, true)
     }
 
+    /// Ends the motion of the points if the user moves them, undoes a step or changes a side meanwhile, and drops the result
+    /// of another map.
+    fn drop_disturbed(&mut self) {
+        let (Some(at), true) = (self.constraints(), self.has_sides_of_search()) else {
+            (self.best.flight, self.best.outcome) = (None, None);
+            return;
+        };
+        if self.best.flight.as_ref().is_some_and(|flight| !flight.is_undisturbed(&at)) {
+            self.best.flight = None;
+        }
+        if self.best.flight.is_none() {
+            self.best.outcome = self.best.outcome.take().filter(|(_, found)| is_same_place(found, &at));
+        }
+    }
+
+    fn has_sides_of_search(&self) -> bool {
+        let Some(sides) = &self.best.sides else { return false };
+        let is_same =
+            |side: Side| self.prepared(side).is_some_and(|prepared| sides[side].as_ptr() == Arc::as_ptr(prepared));
+        Side::BOTH.into_iter().all(is_same)
+    }
+
     fn advance_search(&mut self, is_calm: bool) {
         let Some(mut search) = self.best.search.take() else { return };
         if !self.is_of(&search) {
@@ -261,13 +287,14 @@ impl Model {
             Ok(false) => self.best.search = Some(search),
             Ok(true) => {
                 let Some(found) = search.optimization.found() else { return };
-                self.best.outcome = Some(Outcome {
+                let outcome = Outcome {
                     aim: search.aim,
                     before: found.before,
                     after: found.after,
                     evaluations: search.optimization.evaluations(),
                     course: search.optimization.course().to_vec(),
-                });
+                };
+                self.best.outcome = Some((outcome, found.constraints));
                 self.best.flight = Flight::new(&search.optimization, is_calm);
             }
             Err(error) => self.best.error = Some(Message::from(&error)),
@@ -276,12 +303,13 @@ impl Model {
 
     /// Whether nothing has changed since a search began.
     fn is_of(&self, search: &Search) -> bool {
-        let is_same = |side: Side| {
-            self.prepared(side).is_some_and(|prepared| search.sides[side].as_ptr() == Arc::as_ptr(prepared))
+        let has_its_region = match search.optimization.criterion() {
+            Criterion::Region(region) => **region == Region::of_dabs(self.session.region().to_vec()),
+            _ => true,
         };
-        let at: Option<Constraints> = self.constraints();
-        Side::BOTH.into_iter().all(is_same)
-            && at.as_ref() == Some(search.optimization.start())
+        has_its_region
+            && self.has_sides_of_search()
+            && self.constraints().as_ref() == Some(search.optimization.start())
             && search.optimization.start_settings().direction == self.session.direction()
     }
 

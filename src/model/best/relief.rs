@@ -87,6 +87,8 @@ impl PartialEq for Origin {
 pub(super) struct Relief {
     pub is_asked: bool,
     origin: Option<Origin>,
+    /// Whether it was begun: while a drag changes the origin in every frame, it is not.
+    is_begun: bool,
     coming: Option<Landscape>,
     complete: Option<Landscapes>,
 }
@@ -113,9 +115,13 @@ impl Model {
         let weak = sides.as_ref().map(Arc::downgrade);
         let origin = Origin { sides: weak, criterion: criterion.clone(), constraints, direction };
         if self.best.relief.origin.as_ref() != Some(&origin) {
+            self.best.relief = Relief { is_asked: true, origin: Some(origin), ..Relief::default() };
+            return true;
+        }
+        if !self.best.relief.is_begun {
             let mapped = self.map().map_or(direction.mapped_side(), ConformalMap::mapped_side);
-            let coming = Landscape::new(&sides, criterion, constraints, mapped).ok();
-            self.best.relief = Relief { is_asked: true, origin: Some(origin), coming, complete: None };
+            self.best.relief.coming = Landscape::new(&sides, criterion, constraints, mapped).ok();
+            self.best.relief.is_begun = true;
         }
         let relief = &mut self.best.relief;
         let Some(mut landscape) = relief.coming.take() else { return false };

@@ -81,6 +81,26 @@ fn a_search_is_cancelled_or_ended_by_a_change_and_nothing_moves() {
     assert_eq!(model.best().error(), Some(&key::best_map_interrupted().into()));
 }
 
+/// What the user does while the points move is not overwritten, and the result of another map is not shown on.
+#[test]
+fn points_that_move_to_the_best_map_stop_where_somebody_moves_them() {
+    let mut model = model([]);
+    model.act_on_best(BestAction::Start);
+    let mut time = 0.0;
+    while !model.best().is_moving() || time < 0.2 {
+        time += if model.best().is_moving() { 0.05 } else { 0.0 };
+        for command in model.advance_best(time, false).0 {
+            model.dispatch(command, 0.0);
+        }
+        model.refresh(true);
+    }
+    assert!(model.best().outcome().is_some());
+    model.dispatch(Command::MoveAnchor { side: Side::Target, fraction: 0.3 }, 0.0);
+    let moved = model.session().clone();
+    assert_eq!((run(&mut model, false), model.best().is_moving(), model.best().outcome()), (0, false, None));
+    assert_eq!(model.session(), &moved);
+}
+
 #[test]
 fn pins_are_dropped_for_the_best_map() {
     let mut model = model([]);
