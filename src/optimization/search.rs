@@ -41,18 +41,18 @@ const APART: f64 = 0.5;
 const STEP: f64 = 0.3;
 const SMALL: f64 = 1e-3;
 /// The same for the map itself: near enough for four digits of the minimum, whose value changes with the square.
-const POLISH_STEP: f64 = 0.04;
+const POLISH_STEP: f64 = 0.08;
 const POLISH_SMALL: f64 = 2e-3;
 
 /// The most values of a descent.
 const MOST_DESCENT: usize = 120;
 /// The most values on the map itself of a mesh with [`USUAL`] vertices; on a larger one fewer, but [`LEAST_POLISH`].
-const MOST_POLISH: usize = 60;
-const LEAST_POLISH: usize = 16;
+const MOST_POLISH: usize = 150;
+const LEAST_POLISH: usize = 80;
 const USUAL: usize = 8000;
 
 /// Boundary points that need not move stay, if that costs no more than this share of the criterion.
-const NEGLIGIBLE: f64 = 3e-3;
+const NEGLIGIBLE: f64 = 1e-3;
 /// Values that differ by less are equal: those of a disk onto a disk, which is 0 up to the mesh's error squared.
 const ROUNDING: f64 = 1e-7;
 

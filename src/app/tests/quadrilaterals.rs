@@ -30,7 +30,7 @@ fn marked_app(size: [f32; 2]) -> Harness<'static, RiemapApp> {
 
 #[test]
 fn the_rectangle_is_one_click_and_one_step_to_undo_away() {
-    let mut harness = marked_app([1200.0, 2400.0]);
+    let mut harness = marked_app([1200.0, 3600.0]);
     harness.step();
     let before = harness.state().session().clone();
     let undo = harness.state().stats().screen.undo;
@@ -51,7 +51,7 @@ fn the_rectangle_is_one_click_and_one_step_to_undo_away() {
 
 #[test]
 fn a_grid_is_shown_with_its_accuracy_and_its_lattice_on_the_rectangle() {
-    let mut harness = marked_app([1200.0, 2400.0]);
+    let mut harness = marked_app([1200.0, 3600.0]);
     harness.step();
     harness.get_by_label("Orthogonal grid").click();
     step_until(&mut harness, |app| app.model.grid(Side::Source).is_some());
