@@ -172,7 +172,7 @@ mod tests {
             |x: f64| of_boundary(None, &corners, DVec2::new(x, 0.0), REACH, on_screen).map(|catch| catch.place.x);
         assert_eq!(caught(5.01), Some(5.0));
         assert_eq!([5.013, 5.02, 5.03, 5.037].map(caught), [None; 4]);
-        assert_eq!(caught(5.04), Some(5.05));
+        assert!(caught(5.04).is_some_and(|x| (x - 5.05).abs() < 1e-12));
         // among the five axes of the star, too: about half of the way from one to the next is free at any distance from their center
         let star = StudiedOutline::Preset(Preset::Star).symmetries().unwrap();
         let center = star.symmetries.center;

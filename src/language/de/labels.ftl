@@ -964,7 +964,7 @@ best_area = Flächenverzerrung { $before } → { $after } ({ $count } Abbildunge
 best_scale = Verhältnis der Maßstäbe { $before } → { $after } ({ $count } Abbildungen versucht)
 best_region = Flächenverzerrung im Gebiet { $before } → { $after } ({ $count } Abbildungen versucht)
 best_symmetry = Abweichung von der Symmetrie { $before } → { $after } der Größe ({ $count } Abbildungen versucht)
-best_already = Diese Abbildung ist schon die beste: { $value } ({ $count } Abbildungen versucht)
+best_already = Keine bessere Abbildung gefunden: { $value } ({ $count } Abbildungen versucht)
 lowest_of_landscape = kleinster: { $value }
 accessible_landscape = Die Landschaft über x₁ ist am niedrigsten bei ({ $x }; { $y }), mit { $value }.
 

@@ -964,7 +964,7 @@ best_area = Area distortion { $before } → { $after } ({ $count } maps tried)
 best_scale = Ratio of scales { $before } → { $after } ({ $count } maps tried)
 best_region = Area distortion in the region { $before } → { $after } ({ $count } maps tried)
 best_symmetry = Deviation from symmetry { $before } → { $after } of the size ({ $count } maps tried)
-best_already = This map is the best already: { $value } ({ $count } maps tried)
+best_already = No better map was found: { $value } ({ $count } maps tried)
 lowest_of_landscape = least: { $value }
 accessible_landscape = The landscape over x₁ is lowest at ({ $x }; { $y }), with { $value }.
 
