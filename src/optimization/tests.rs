@@ -1,3 +1,5 @@
+//! Best maps that are known exactly (disk, ellipse), and the landscape against maps that are measured.
+
 use super::*;
 use crate::conformal::{
     ConformalMap, Constraints, Direction, MapSettings, PerSide, PrepareSettings, PreparedSide, prepare,
