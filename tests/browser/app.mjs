@@ -7,8 +7,17 @@ import { join } from 'node:path';
 import { newPage } from './chromium.mjs';
 import { watch } from './faults.mjs';
 
-const DESKTOP = { viewport: { width: 1440, height: 900 } };
-const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
+/** The folder in which screenshots are saved for somebody to look at, or undefined. */
+const SHOTS = process.env.RIEMAP_SHOTS;
+
+/**
+ * Drawing in software takes time for every pixel, and most tests look at none: without a folder for screenshots the
+ * layout is that of the whole screen, drawn with fewer pixels. A test of pixels asks for `SHARP` or `SHARP_PHONE`.
+ */
+export const SHARP = { deviceScaleFactor: 1 };
+export const SHARP_PHONE = { deviceScaleFactor: 2 };
+const DESKTOP = { viewport: { width: 1440, height: 900 }, deviceScaleFactor: SHOTS ? 1 : 0.5 };
+const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: SHOTS ? 2 : 1, hasTouch: true, isMobile: true };
 export const DEVICES = { desktop: DESKTOP, phone: PHONE };
 
 /** Positions that are unchanged for this many frames are final: an input has an effect after at most two frames. */
@@ -397,13 +406,22 @@ export class App {
     await this.#frames();
   }
 
-  /** Takes a screenshot, saves it in the folder `RIEMAP_SHOTS` if that is set, and returns the counts of its colors. */
+  /** Takes a screenshot and returns the counts of its colors. */
   async picture(name) {
-    await this.#frames();
-    const folder = process.env.RIEMAP_SHOTS;
-    if (folder) mkdirSync(folder, { recursive: true });
-    const png = await this.#page.screenshot(folder ? { path: join(folder, `${name}.png`) } : {});
+    const png = await this.#screenshot(name);
     return this.#page.evaluate(countColours, png.toString('base64'));
+  }
+
+  /** Takes a screenshot for somebody to look at, if there is a folder for it. */
+  async shot(name) {
+    if (SHOTS) await this.#screenshot(name);
+  }
+
+  /** A screenshot, saved if there is a folder for it. */
+  async #screenshot(name) {
+    await this.#frames();
+    if (SHOTS) mkdirSync(SHOTS, { recursive: true });
+    return this.#page.screenshot(SHOTS ? { path: join(SHOTS, `${name}.png`) } : {});
   }
 }
 

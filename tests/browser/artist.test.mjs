@@ -97,7 +97,7 @@ withOneBackend('the artist', (bench) => {
       await app.press('Space');
       const drawn = await around();
       assert.notEqual(drawn, without);
-      await app.picture('uv-grid');
+      await app.shot('uv-grid');
       await app.press('Space');
       assert.equal(await around(), without);
     }),

@@ -20,7 +20,7 @@ withOneBackend('the best map', (bench) => {
       assert.equal(after.undo, before.undo + 1);
       const moved = Math.abs(after.boundary_checksum - before.boundary_checksum);
       assert.ok(moved > 1e-3, `the map has changed by ${moved}`);
-      await app.picture('best-map');
+      await app.shot('best-map');
       await app.press('Control+z');
       const back = await app.atRest('the points are back', (stats, undo) => stats.ready && stats.undo === undo, before.undo);
       assert.ok(Math.abs(back.boundary_checksum - before.boundary_checksum) < 1e-9, 'the same map');
@@ -34,7 +34,7 @@ withOneBackend('the best map', (bench) => {
       await app.walkTo(/^Landscape over x₁, check box/);
       await app.press('Space');
       const shown = await app.atRest('the landscape is there', (stats) => stats.ready && stats.best.lowest !== null);
-      await app.picture('landscape');
+      await app.shot('landscape');
       const [x, y] = before.handles.x1;
       await app.click([x, y + 60]);
       const after = await app.atRest(
@@ -59,7 +59,7 @@ withOneBackend('the best map', (bench) => {
       await app.drag([x - 40, y + 60], [x + 40, y + 60]);
       const painted = await app.atRest('a stroke is painted', (stats) => stats.ready && stats.best.region > 1);
       assert.equal(painted.undo, before.undo + 1, 'a stroke is one step');
-      await app.picture('region');
+      await app.shot('region');
       await app.reload();
       const again = await app.atRest('the region is there again', (stats) => stats.ready && stats.best.region > 1);
       assert.equal(again.best.region, painted.best.region);

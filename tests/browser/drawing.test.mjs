@@ -55,7 +55,7 @@ withOneBackend('outlines by hand', (bench) => {
       const { editing } = await app.until('the crossing is seen', (stats) => stats.editing?.crossing);
       assert.match(editing.message, /crosses itself/);
       assert.ok(Math.abs(editing.crossing[0] - handles[0][0]) < 3, `the left edge is crossed: ${editing.crossing}`);
-      await app.picture(`${bench.backend}-crossing`);
+      await app.shot(`${bench.backend}-crossing`);
       await app.letGo();
       const after = await app.until('the good one is prepared', (stats) => stats.ready && stats.editing && !stats.editing.crossing);
       assert.match(after.editing.message, /last good one was kept/);

@@ -20,7 +20,7 @@ withOneBackend('everyone', (bench) => {
       await app.press('Shift+ArrowLeft');
       const { handles } = await app.until('the dot is one pixel back', moved, [x, 9]);
       assert.ok(Math.abs(handles.x1[1] - y) < 0.2, 'it has moved along the screen');
-      await app.picture(`${bench.backend}-the-keyboard-on-a-dot`);
+      await app.shot(`${bench.backend}-the-keyboard-on-a-dot`);
     }),
   );
 
@@ -84,7 +84,7 @@ withOneBackend('everyone', (bench) => {
       for (let step = 1; step <= 6; step++) {
         await app.saying('state', TOUR[step - 1]);
         await app.until(`step ${step} is shown`, (stats) => stats.ready);
-        await app.picture(`${bench.backend}-the-tour-${step}`);
+        await app.shot(`${bench.backend}-the-tour-${step}`);
         seen.push(JSON.stringify(await app.session()));
         // the button "Next" has the focus from the first frame on
         if (step < 6) await app.press('Enter');
@@ -102,7 +102,7 @@ withOneBackend('everyone', (bench) => {
         const before = await app.session();
         const closed = async (name) => {
           const { close } = await app.atRest(`it is open: ${name}`, (stats, wanted) => stats.close[wanted], name);
-          await app.picture(`${bench.backend}-to-close-${name}`);
+          await app.shot(`${bench.backend}-to-close-${name}`);
           await app.tap(close[name]);
           await app.until(`it is closed: ${name}`, (stats, wanted) => !stats.close[wanted], name);
         };
@@ -133,7 +133,7 @@ withOneBackend('everyone', (bench) => {
         await app.press('Enter');
         await app.atRest('the gallery is open', (stats) => stats.close.Gallery);
         await app.walkTo(/^Square the circle: /);
-        await app.picture(`${bench.backend}-the-gallery`);
+        await app.shot(`${bench.backend}-the-gallery`);
         await app.press('Enter');
         await app.until('the square over the disk', (stats) => stats.ready);
         assert.deepEqual((await app.session()).source.outline, { preset: 'square' });

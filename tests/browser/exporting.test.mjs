@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { withEachBackend } from './backends.mjs';
+import { withEachBackend, withOneBackend } from './backends.mjs';
 
 /** The position of a control of the export window, by its text. */
 async function placeOf(app, name) {
@@ -93,7 +93,7 @@ withEachBackend('exports and motion', (bench) => {
       await choose(app, 'Save');
       const busy = await app.until('some pictures are made', (stats) => stats.export_count?.[0] >= 2);
       assert.equal(busy.export_count[1], 400);
-      await app.picture(`${backend}-export-progress`);
+      await app.shot(`${backend}-export-progress`);
       await choose(app, 'Cancel');
       await app.until('it is given up', (stats) => stats.export_count === null);
       await app.type(await placeOf(app, 'Pictures'), '4');
@@ -109,49 +109,6 @@ withEachBackend('exports and motion', (bench) => {
       const gif = await saved(app, 'GIF', 'x₁');
       assert.equal(gif.name, 'riemap-animation.gif');
       assert.equal(gif.bytes.subarray(0, 6).toString(), 'GIF89a');
-    }),
-  );
-
-  test(
-    'the map is saved as a formula, while another one is given up',
-    bench.withApp(async (app) => {
-      const { source, target } = await app.session();
-      const settings = (side) => ({ ...side.settings, sampling: { adaptive: { target: 200 } } });
-      await app.openSession({
-        source: { ...source, outline: { preset: 'blob' }, settings: settings(source) },
-        target: { ...target, outline: { preset: 'disk' }, settings: settings(target) },
-        direction: 'forward',
-        anchor: [0.2, 0.6],
-      });
-      await app.until('both sides are sharp', (stats) => stats.ready && stats.error_estimate !== null);
-      const [{ bytes: table }, generation] = [await saved(app, 'CSV'), (await app.stats()).generation];
-      await choose(app, 'Formula', 'JSON');
-      await app.type(await placeOf(app, 'Digits'), '12');
-      await choose(app, 'Save');
-      const { formula } = await app.until('it is at work', (stats) => stats.formula.progress > 0);
-      assert.ok(formula.progress < 1 && formula.reached.length === 0);
-      await app.picture(`${backend}-formula-progress`);
-      await choose(app, 'Cancel');
-      await app.until('it is given up', (stats) => stats.formula.progress === null);
-      await app.type(await placeOf(app, 'Digits'), '6');
-      const { name, bytes } = await saved(app);
-      assert.equal(name, 'riemap_formula.json');
-      const file = JSON.parse(bytes.toString());
-      assert.deepEqual([file.source, file.target, file.digits], ['preset:blob', 'preset:disk', 6]);
-      assert.ok(file.digits_reached >= 6 && file.f.poles.length <= file.f.degree, bytes.toString().slice(0, 500));
-      const rows = table.toString().trim().split('\n').slice(1).map((row) => row.split(',').map(Number));
-      const off = rows.map(([, , x, y, u, v]) => {
-        const [image, back] = [formulaAt(file.f, [x, y]), formulaAt(file.inverse, [u, v])];
-        return Math.max(Math.hypot(image[0] - u, image[1] - v) / 1, Math.hypot(back[0] - x, back[1] - y) / 5);
-      });
-      // six digits of the extent, and an image of the table is that of the curve beside the sample
-      assert.ok(rows.length > 100 && Math.max(...off) < 1e-5, `off by ${Math.max(...off)} at ${rows.length} points`);
-      const { formula: { reached } } = await app.until('it says what it reached', (stats) => stats.formula.reached.length > 2);
-      assert.match(reached[1], /^f: degree \d+; poles: \d+, none inside; largest error: .*e-\d+; digits: [6-9]/);
-      await app.saying('state', /inverse of f: degree \d+/);
-      await app.picture(`${backend}-formula`);
-      assert.equal((await saved(app, 'GLSL')).name, 'riemap_formula.glsl');
-      assert.equal((await app.stats()).generation, generation, 'the map on the screen stays');
     }),
   );
 
@@ -176,19 +133,64 @@ withEachBackend('exports and motion', (bench) => {
       assert.deepEqual([pixels[0][3], pixels[1][3]], [0, 255]);
     }),
   );
+});
+
+withOneBackend('formulas, a phone, and motion', (bench) => {
+  test(
+    'the map is saved as a formula, while another one is given up',
+    bench.withApp(async (app) => {
+      const { source, target } = await app.session();
+      const settings = (side) => ({ ...side.settings, sampling: { adaptive: { target: 200 } } });
+      await app.openSession({
+        source: { ...source, outline: { preset: 'blob' }, settings: settings(source) },
+        target: { ...target, outline: { preset: 'disk' }, settings: settings(target) },
+        direction: 'forward',
+        anchor: [0.2, 0.6],
+      });
+      await app.until('both sides are sharp', (stats) => stats.ready && stats.error_estimate !== null);
+      const [{ bytes: table }, generation] = [await saved(app, 'CSV'), (await app.stats()).generation];
+      await choose(app, 'Formula', 'JSON');
+      await app.type(await placeOf(app, 'Digits'), '12');
+      await choose(app, 'Save');
+      const { formula } = await app.until('it is at work', (stats) => stats.formula.progress > 0);
+      assert.ok(formula.progress < 1 && formula.reached.length === 0);
+      await app.shot('formula-progress');
+      await choose(app, 'Cancel');
+      await app.until('it is given up', (stats) => stats.formula.progress === null);
+      await app.type(await placeOf(app, 'Digits'), '6');
+      const { name, bytes } = await saved(app);
+      assert.equal(name, 'riemap_formula.json');
+      const file = JSON.parse(bytes.toString());
+      assert.deepEqual([file.source, file.target, file.digits], ['preset:blob', 'preset:disk', 6]);
+      assert.ok(file.digits_reached >= 6 && file.f.poles.length <= file.f.degree, bytes.toString().slice(0, 500));
+      const rows = table.toString().trim().split('\n').slice(1).map((row) => row.split(',').map(Number));
+      const off = rows.map(([, , x, y, u, v]) => {
+        const [image, back] = [formulaAt(file.f, [x, y]), formulaAt(file.inverse, [u, v])];
+        return Math.max(Math.hypot(image[0] - u, image[1] - v) / 1, Math.hypot(back[0] - x, back[1] - y) / 5);
+      });
+      // six digits of the extent, and an image of the table is that of the curve beside the sample
+      assert.ok(rows.length > 100 && Math.max(...off) < 1e-5, `off by ${Math.max(...off)} at ${rows.length} points`);
+      const { formula: { reached } } = await app.until('it says what it reached', (stats) => stats.formula.reached.length > 2);
+      assert.match(reached[1], /^f: degree \d+; poles: \d+, none inside; largest error: .*e-\d+; digits: [6-9]/);
+      await app.saying('state', /inverse of f: degree \d+/);
+      await app.shot('formula');
+      assert.equal((await saved(app, 'GLSL')).name, 'riemap_formula.glsl');
+      assert.equal((await app.stats()).generation, generation, 'the map on the screen stays');
+    }),
+  );
 
   test(
     'a picture is saved on a phone',
     bench.withApp(
       async (app) => {
         await choose(app, 'PNG');
-        await app.picture(`${backend}-export-phone`);
+        await app.shot('export-phone');
         const { bytes } = await saved(app, '800 × 450');
         assert.deepEqual(sizeOf(bytes), [800, 450]);
         await choose(app, 'Formula', 'Python');
         await app.type(await placeOf(app, 'Digits'), '2');
         assert.match((await saved(app)).bytes.toString(), /^# A conformal map f(.|\n)*maps "preset:/);
-        await app.picture(`${backend}-formula-phone`);
+        await app.shot('formula-phone');
       },
       { device: 'phone' },
     ),

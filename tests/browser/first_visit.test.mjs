@@ -28,7 +28,7 @@ withOneBackend('first-visit', (bench) => {
   test(
     'the welcome leads into the tour and does not come back',
     bench.withApp(async (app) => {
-      await app.picture('welcome');
+      await app.shot('welcome');
       await app.walkTo(/^Take the tour, button/);
       await app.press('Space');
       await app.saying('state', /Step|shapes/i);
@@ -46,7 +46,7 @@ withOneBackend('first-visit', (bench) => {
       await app.reload();
       await app.walkTo(/^\? Kernel: The kernel says how much each piece/);
       await app.press('Space');
-      await app.picture('kernel-explained');
+      await app.shot('kernel-explained');
       await app.walkTo(/^Advanced, button, selected/);
     }),
   );
@@ -58,7 +58,7 @@ withOneBackend('first-visit', (bench) => {
       await app.press('Space');
       const { share } = await app.until('the link is shown', (stats) => stats.share);
       assert.ok(share.bytes < 2953 && share.modules > 25, JSON.stringify(share));
-      await app.picture('share');
+      await app.shot('share');
       const { source } = await app.session();
       const points = Array.from({ length: 1500 }, (_, k) => {
         const [angle, radius] = [(2 * Math.PI * k) / 1500, 1 + 0.3 * Math.sin(k * k)];
@@ -67,7 +67,7 @@ withOneBackend('first-visit', (bench) => {
       await app.openSession({ source: { ...source, outline: { points: { name: 'rough', points } } } });
       const long = await app.until('the link is longer', (stats, before) => stats.share?.bytes > before && stats.share, share.bytes);
       if (long.share.bytes > 2953) assert.equal(long.share.modules, null);
-      await app.picture('share-long');
+      await app.shot('share-long');
       await app.press('Escape');
       await app.until('the window is closed', (stats) => stats.share === null);
     }),
@@ -123,7 +123,7 @@ withOneBackend('first-visit', (bench) => {
       const { source } = await app.session();
       await app.loadFile('source', 'box.png', picture);
       await app.walkTo(/^Cancel, button/);
-      await app.picture('picture-asked');
+      await app.shot('picture-asked');
       assert.deepEqual((await app.session()).source, source, 'nothing changes before the answer');
       await app.press('Space');
       await app.loadFile('source', 'box.png', picture);

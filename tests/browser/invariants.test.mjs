@@ -25,7 +25,7 @@ withOneBackend('invariants', (bench) => {
       await app.drag(x1, [x1[0] + 40, x1[1]]);
       const smaller = (stats, before) => stats.ready && stats.invariants[0]?.Ok?.conformal_radius.value < before - 1e-3;
       await app.until('the radius at the new point is smaller', smaller, radius.value);
-      await app.picture(`${bench.backend}-invariants`);
+      await app.shot(`${bench.backend}-invariants`);
     }),
   );
 });

@@ -90,13 +90,13 @@ withOneBackend('kept', (bench) => {
       assert.equal(session.texture, 'image');
       const parts = await untilKept(app, 'surfaces/wave.obj', 'picture/own.png', 'history.json');
       assert.ok(parts.includes('contents.json'));
-      await app.picture('kept-before');
+      await app.shot('kept-before');
       await app.page.reload();
       const again = await app.atRest('all is shown again', (stats) => stats.ready && stats.image === 'own.png' && stats.surface_ms !== null);
       assert.deepEqual(again.errors, []);
       assert.deepEqual([again.undo, again.target, again.triangles], [undo, target, triangles]);
       assert.deepEqual(await app.session(), session);
-      await app.picture('kept-after');
+      await app.shot('kept-after');
       for (let left = undo; left > 0; left--) {
         await app.press('Control+z');
         await app.until('a step back', (stats, steps) => stats.ready && stats.undo === steps, left - 1);
@@ -127,7 +127,7 @@ withOneBackend('kept', (bench) => {
         assert.deepEqual(opened.errors, []);
         assert.ok(opened.undo >= undo, `${opened.undo} steps of ${undo}`);
         assert.deepEqual(await other.session(), session);
-        await other.picture('kept-file');
+        await other.shot('kept-file');
       });
     }),
   );
@@ -241,7 +241,7 @@ withOneBackend('kept', (bench) => {
         await app.openSession({ texture_scale: 17 });
         const { errors } = await app.until('it is said', (stats) => stats.ready && stats.errors.length > 0);
         assert.match(errors.join(' '), /not its surfaces, pictures and undo steps/);
-        await app.picture('kept-private');
+        await app.shot('kept-private');
         await app.reload();
         assert.equal((await app.session()).texture_scale, 17);
       },

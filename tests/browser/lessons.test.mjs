@@ -48,7 +48,7 @@ withOneBackend('lessons', (bench) => {
       await app.page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
       const first = await app.otherAddress(bench.address());
       await makeLesson(app);
-      await app.picture(`${bench.backend}-making-a-lesson`);
+      await app.shot(`${bench.backend}-making-a-lesson`);
       await app.openSession({ texture_scale: 13 });
       await app.until('the own picture', (stats) => stats.ready);
       await app.otherAddress(first);
@@ -72,7 +72,7 @@ withOneBackend('lessons', (bench) => {
       }
       assert.equal(await scaleOf(app), 9);
       await app.saying('state', /Wide squares/);
-      await app.picture(`${bench.backend}-a-lesson`);
+      await app.shot(`${bench.backend}-a-lesson`);
       await use(app, /^Next, button/);
       await app.saying('state', /Fine squares/);
       assert.equal(await scaleOf(app), 33);

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { SHARP } from './app.mjs';
 import { withEachBackend } from './backends.mjs';
 
 /** How often light and dark squares alternate within 150 points left and right of `place`, a bit below it. */
@@ -35,7 +36,7 @@ withEachBackend('the pattern', (bench) => {
       assert.ok(zoomed.ready);
       const source = await squaresAround(app, [handles.x1[0] - 120, handles.x1[1] - 20]);
       assert.ok(source >= 6 && source <= 3 * usual, `${source} changes in the magnified source, ${usual} before`);
-      await app.picture(`${bench.backend}-octaves`);
-    }),
+      await app.shot(`${bench.backend}-octaves`);
+    }, SHARP),
   );
 });

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 
 import { withOneBackend } from './backends.mjs';
 
-const LYING = { viewport: { width: 844, height: 390 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
+const LYING = { device: 'phone', viewport: { width: 844, height: 390 } };
 
 withOneBackend('phone', (bench) => {
   test(
@@ -20,7 +20,7 @@ withOneBackend('phone', (bench) => {
           for (const [dot, [, y]] of Object.entries(handles).filter(([name]) => /^[xy][12]$/.test(name))) {
             assert.ok(y > 46 && y < 0.5 * 844 + 46, `${dot} at ${y}`);
           }
-          await app.picture(`phone-sheet-${tab.source.slice(1, 5)}`);
+          await app.shot(`phone-sheet-${tab.source.slice(1, 5)}`);
           await app.walkTo(tab);
           await app.press('Space');
           await app.atRest('it is closed', (stats, y) => stats.handles.x2[1] === y, closed.handles.x2[1]);

@@ -31,7 +31,7 @@ withOneBackend('pins', (bench) => {
         (stats, last) => stats.ready && Math.max(...stats.pin_misses) < 1e-8 && stats.boundary_checksum !== last,
         before.boundary_checksum,
       );
-      await app.picture('pins');
+      await app.shot('pins');
       const moved = Math.hypot(after.handles.pins[1][1][0] - x, after.handles.pins[1][1][1] - y);
       assert.ok(moved > 4, `moved by ${moved}`);
       const { pins } = await app.session();

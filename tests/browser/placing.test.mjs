@@ -53,7 +53,7 @@ withOneBackend('the placed picture', (bench) => {
       const dragged = await placement(app);
       assert.ok(dragged.middle[0] > 0.15 && dragged.middle[1] > 0.02, `${dragged.middle}`);
       assert.deepEqual([dragged.size, dragged.turn], [1, 0]);
-      await app.picture('placed');
+      await app.shot('placed');
 
       await app.page.mouse.wheel(0, -200);
       await app.until('a step of the wheel', (stats, last) => stats.ready && stats.undo > last + 2, undo);
@@ -81,7 +81,7 @@ withOneBackend('the placed picture', (bench) => {
           await typed(app, text);
           await app.until(text, (stats, wanted) => Math.abs((window.riemap.session().picture?.middle[0] ?? 0) - wanted) < 1e-12, middle);
         }
-        await app.picture('placed-german');
+        await app.shot('placed-german');
       },
       { locale: 'de-DE' },
     ),

@@ -33,7 +33,7 @@ withOneBackend('the pointer', (bench) => {
       assert.ok(Math.abs(Math.hypot(...pointed.image) - size) < 1e-10, JSON.stringify(pointed));
       assert.ok(Math.abs(Math.hypot(...pointed.derivative) - scale) < 1e-9, JSON.stringify(pointed));
       assert.ok(pointed.errors.image < 1e-9);
-      await app.picture(`${bench.backend}-pointer`);
+      await app.shot(`${bench.backend}-pointer`);
       await app.pointAt([handles.x1[0], 10]);
       await app.until('nothing is under the pointer', (stats) => stats.pointed === null);
     }),
@@ -58,7 +58,7 @@ withOneBackend('the pointer', (bench) => {
         await app.tap([handles.x1[0], handles.x1[1] + 45]);
         const { pointed } = await app.until('the integral is prepared', (stats) => stats.pointed?.errors);
         assert.equal(pointed.side, 'source');
-        await app.picture(`${bench.backend}-pointer-phone`);
+        await app.shot(`${bench.backend}-pointer-phone`);
       },
       { device: 'phone' },
     ),
@@ -78,7 +78,7 @@ withOneBackend('the pointer', (bench) => {
       assert.notDeepEqual([u, v], harmonic);
       // interpolated in a triangle of exact images
       assert.ok(Math.hypot(u - expected[0], v - expected[1]) < 1e-3, `${[u, v]} for ${expected}`);
-      await app.picture(`${bench.backend}-exact`);
+      await app.shot(`${bench.backend}-exact`);
       await openDisks(app, 'adjoint');
       await app.walkTo(/^Exact, choice, not selected, not available/);
     }),

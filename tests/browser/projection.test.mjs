@@ -30,7 +30,7 @@ withOneBackend('projection', (bench) => {
       const { projection } = await app.atRest('the island is mapped', isMade);
       assert.ok(projection.scale_ratio < projection.stereographic_scale_ratio - 1e-3, JSON.stringify(projection));
       assert.ok(projection.scale_lines > 0);
-      await app.picture(`${bench.backend}-projection`);
+      await app.shot(`${bench.backend}-projection`);
       await app.saying('state', /Map projection of Island: scale ratio 1\.\d+, stereographic 1\.\d+\./);
       await app.walkTo(/^Save the map as SVG, button/);
       const { name, bytes } = await app.downloadBy('Space');

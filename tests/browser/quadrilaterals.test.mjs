@@ -38,7 +38,7 @@ withOneBackend('quadrilaterals', (bench) => {
       await app.press('Space');
       const hasLines = (stats) => stats.ready && stats.grid_lines.every((count) => count === 19 + 9);
       await app.atRest('the grid and the lattice are there', hasLines);
-      await app.picture(`${bench.backend}-quadrilateral`);
+      await app.shot(`${bench.backend}-quadrilateral`);
       await app.saying('state', /Orthogonal grid · [Ss]ource: 20 × 10 cells\. Nodes right to /);
       await app.press('Control+z');
       const undone = await app.atRest('the heart is back', (stats) => stats.ready && stats.pin_misses === null);

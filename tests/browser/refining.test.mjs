@@ -46,7 +46,7 @@ withOneBackend('refining', (bench) => {
             assert.ok(flips(stats) <= FLIPS, `${preset}: ${stats.flipped} of ${stats.triangles}`);
             assert.ok(stats.triangles > full.triangles, `${preset}: ${stats.triangles} of ${full.triangles}`);
             assert.equal(stats.unrefined, null);
-            await app.picture(`${bench.backend}-${device}-refined-${preset}-${direction}`);
+            await app.shot(`${bench.backend}-${device}-refined-${preset}-${direction}`);
           }
         },
         { device },
@@ -63,7 +63,7 @@ withOneBackend('refining', (bench) => {
       await app.hold(x1, [x1[0] + 40, x1[1] - 30]);
       const held = await app.until('the full map has followed', (now, then) => now.generation > then && now.unresolved_area === null, before.generation);
       assert.ok(!held.ready && held.triangles < before.triangles);
-      await app.picture(`${bench.backend}-not-refined`);
+      await app.shot(`${bench.backend}-not-refined`);
       await app.letGo();
       const moved = await refined(app);
       assert.notEqual(moved.boundary_checksum, before.boundary_checksum);

@@ -75,7 +75,7 @@ withOneBackend('refused surfaces', (bench) => {
           assert.match(errors.join(' '), /fin\.obj.*edge.*triangles/);
           assert.equal(boundary_checksum, planar.boundary_checksum, 'the last good map stays');
           await app.walkTo(/faults in red \(1\)/);
-          await app.picture(`refused-${device}`);
+          await app.shot(`refused-${device}`);
           const turned = await changed(app, async () => {
             for (let k = 0; k < 4; k++) await app.press('ArrowRight');
           });

@@ -26,7 +26,7 @@ withOneBackend('sharpening', (bench) => {
       assert.deepEqual(kernelsOf(sharp), ['integral', 'integral']);
       assert.ok(sharp.kernels.every((side) => side.unknowns > 100 && !side.sharpening && side.reason === null));
       assert.ok(sharp.error_estimate.omega < 1e-11 && sharp.error_estimate.image < 1e-3, JSON.stringify(sharp.error_estimate));
-      await app.picture(`${bench.backend}-sharpened`);
+      await app.shot(`${bench.backend}-sharpened`);
     }),
   );
 

@@ -22,7 +22,7 @@ withOneBackend('symmetry', (bench) => {
       await app.hold(x1, [axis + 6, x1[1] + 12]);
       const caught = await app.until('the axis has caught the point', (stats) => stats.handles.caught?.includes('on the axis at 90°'));
       assert.ok(Math.abs(caught.handles.x1[0] - axis) < 0.5, `${caught.handles.x1} is on the axis at ${axis}`);
-      await app.picture(`${bench.backend}-symmetry`);
+      await app.shot(`${bench.backend}-symmetry`);
       await app.pointAt([axis + 14, x1[1] + 12]);
       const free = await app.until('the point is free', (stats) => stats.handles.caught === null);
       assert.ok(free.handles.x1[0] - axis > 10, `${free.handles.x1} is beside the axis at ${axis}`);

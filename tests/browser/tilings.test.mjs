@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { SHARP } from './app.mjs';
 import { withEachBackend } from './backends.mjs';
 
 /** Types into the field that has the focus. */
@@ -44,7 +45,7 @@ withEachBackend('the hyperbolic tiling', (bench) => {
       assert.equal(texture, 'conformal', 'for older programs');
       const [red, , blue] = await aboveX1(app, tiled);
       assert.ok(red > blue + 30, `the middle tile is orange, not ${red}, ${blue}`);
-      await app.picture(`${bench.backend}-tiling`);
+      await app.shot(`${bench.backend}-tiling`);
 
       const [x, y] = tiled.handles.x1;
       await app.drag([x, y], [x + 30, y - 60]);
@@ -55,7 +56,7 @@ withEachBackend('the hyperbolic tiling', (bench) => {
       await app.reload();
       await app.atRest('it is there again');
       assert.deepEqual((await app.session()).tiling, tiling);
-    }),
+    }, SHARP),
   );
 
   test(
@@ -70,7 +71,7 @@ withEachBackend('the hyperbolic tiling', (bench) => {
       await app.until('one step', (stats, last) => stats.ready && stats.undo === last + 1, undo);
       assert.deepEqual((await app.session()).tiling.numbers, [4, 5]);
       await choose(app, /^Mirrors, choice/);
-      await app.picture(`${bench.backend}-mirrors`);
+      await app.shot(`${bench.backend}-mirrors`);
       await app.press('Control+z');
       await app.press('Control+z');
       await app.until('heptagons again', (stats, last) => stats.ready && stats.undo === last, undo);

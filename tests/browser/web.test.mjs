@@ -94,6 +94,21 @@ withEachBackend(
       });
     });
 
+    for (const colorScheme of ['dark', 'light']) {
+      test(
+        `while it loads the page has the color that it declares for a ${colorScheme} theme`,
+        bench.withPage(async (page) => {
+          await page.route('**/*.wasm*', () => {}); // is never answered
+          await page.goto(bench.address(), { waitUntil: 'commit' });
+          const loading = page.locator('#loading');
+          await loading.waitFor({ state: 'visible' });
+          const ground = await loading.evaluate((element) => getComputedStyle(element).backgroundColor);
+          const declared = await page.locator(`meta[name=theme-color][media*=${colorScheme}]`).getAttribute('content');
+          assert.deepEqual(ground.match(/\d+/g).map(Number), declared.match(/[0-9a-f]{2}/g).map((hex) => parseInt(hex, 16)));
+        }, { colorScheme }),
+      );
+    }
+
     test(
       'the policy refuses a script that is no file of the app',
       bench.withPage(

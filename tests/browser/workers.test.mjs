@@ -58,7 +58,7 @@ withOneBackend('workers', (bench) => {
         const { errors } = await app.until('it is said', (stats) => stats.errors.length > 0);
         assert.match(errors.join(' '), /stopped unexpectedly \(it (was terminated|did not respond)/);
         assert.equal(await app.page.evaluate(() => window.mortal.requests), 2, 'no endless loop');
-        await app.picture('worker-terminated');
+        await app.shot('worker-terminated');
       },
       { prepare: makeWorkersMortal },
     ),
