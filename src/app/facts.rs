@@ -4,7 +4,7 @@ use super::{RiemapApp, accessibility, editing};
 use crate::app::input::handles::HandleKind;
 use crate::app::overlays;
 use crate::app::status::stats::{HandlePositions, PlotStats, ScreenStats, Stats};
-use crate::app::status::window_stats::{FormulaStats, ProjectionStats, ShareStats, WindowStats};
+use crate::app::status::window_stats::{FormulaStats, ProjectionStats, ReportStats, ShareStats, WindowStats};
 use crate::app::viewport::gpu::Gpu;
 use crate::app::windows::Windows;
 use crate::conformal::{Extension, PerSide, Side};
@@ -42,7 +42,7 @@ impl RiemapApp {
     }
 
     fn window_stats(&self) -> WindowStats {
-        let Windows { explore, exporter, projection, .. } = &self.windows;
+        let Windows { explore, exporter, projection, reports, .. } = &self.windows;
         WindowStats {
             export: exporter.places().cloned(),
             export_count: exporter.count(),
@@ -54,6 +54,7 @@ impl RiemapApp {
                 progress: projection.progress(),
                 ..projection.found().map(projected).unwrap_or_default()
             }),
+            report: reports.is_open().then(|| ReportStats { measured: reports.measured(), left: reports.left() }),
             share: self.windows.share.address().map(|address| {
                 let modules = self.windows.share.modules();
                 ShareStats { bytes: address.len(), modules }

@@ -404,7 +404,7 @@ mod tests {
         "pointed",
         "prepare_ms",
         "preparing",
-        "projection",
+        "projection", "report",
         "q_max",
         "q_mean",
         "ready",

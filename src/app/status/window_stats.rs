@@ -14,6 +14,8 @@ pub struct WindowStats {
     pub formula: FormulaStats,
     /// The map projection in its window; `None` while that is closed.
     pub projection: Option<ProjectionStats>,
+    /// The paper's tables or figure that are measured; `None` while their window is closed.
+    pub report: Option<ReportStats>,
     /// The link that the window "Share" shows; `None` while it is closed.
     pub share: Option<ShareStats>,
     /// Where the windows that are open are closed, by name.
@@ -27,6 +29,15 @@ pub struct ShareStats {
     pub bytes: usize,
     /// The modules along an edge of its QR code; `None` where the link is too long for one.
     pub modules: Option<usize>,
+}
+
+/// Measurements for a table or a figure of the paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct ReportStats {
+    /// How many rows are shown.
+    pub measured: usize,
+    /// How many are measured now or wait for it.
+    pub left: usize,
 }
 
 /// A map projection that is computed or was computed.

@@ -48,6 +48,16 @@ impl Reports {
         self.open.is_some()
     }
 
+    /// How many rows are measured.
+    pub fn measured(&self) -> usize {
+        self.rows.len() + self.convergence.len() + self.ladder.len()
+    }
+
+    /// How many rows are under way or wait.
+    pub fn left(&self) -> usize {
+        self.waiting.len() + usize::from(self.running.is_some())
+    }
+
     /// Opens a window and starts its measurements from the beginning.
     pub fn open(&mut self, report: Report) {
         let waiting = match report {
@@ -133,7 +143,7 @@ impl Reports {
 
     fn content(&self, ui: &mut Ui, report: Report, actions: &mut Actions) {
         let palette = Palette::of(ui.visuals());
-        let left = self.waiting.len() + usize::from(self.running.is_some());
+        let left = self.left();
         let state = if left == 0 { String::from(tr(key::done())) } else { say(&key::measuring_rows(left)) };
         ui.label(RichText::new(state).color(palette.weak));
         for failure in &self.failures {

@@ -1,0 +1,34 @@
+// The paper's tables and Figure 15, measured in the browser row by row, in windows that are opened from a menu.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { withOneBackend } from './backends.mjs';
+
+const REPORTS = {
+  'the accuracy of all methods and Figure 15': { entry: /^Figure 15 · /, rows: 3 },
+  'the tables of the paper': { entry: /^Tables 1 and 2/, rows: 2 },
+};
+
+withOneBackend('reports', (bench) => {
+  for (const [report, { entry, rows }] of Object.entries(REPORTS)) {
+    test(
+      `${report} fill row by row, and Escape ends their measurements`,
+      bench.withApp(async (app) => {
+        const session = await app.session();
+        await app.walkTo(/^Figures, button/);
+        await app.press('Space');
+        await app.walkTo(entry);
+        await app.press('Enter');
+        const first = await app.until('a row is measured', (stats) => stats.report?.measured >= 1);
+        const later = await app.until('there are several rows', (stats, count) => stats.report?.measured >= count, rows);
+        assert.ok(later.report.left < first.report.left, `${first.report.left}, then ${later.report.left} rows are left`);
+        assert.deepEqual(later.errors, []);
+        await app.shot(`report-${rows}`);
+        await app.press('Escape');
+        await app.until('it is closed', (stats) => stats.report === null);
+        assert.deepEqual(await app.session(), session, 'the map on the screen is as before');
+      }),
+    );
+  }
+});
