@@ -130,7 +130,10 @@ fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
                 let handles = &app.input.handles;
                 handles.probe.iter().for_each(|&at| probe::paint(ui, view, at, handles.is_probe_focused));
             }
-            Side::Target => app.pictures.probe.iter().for_each(|image| probe::paint_image(ui, view, image)),
+            Side::Target => {
+                let dots: Vec<_> = planar::places(side, &app.model, view).into_iter().map(|(_, place)| place).collect();
+                app.pictures.probe.iter().for_each(|image| probe::paint_image(ui, view, image, &dots));
+            }
         }
         marked.inspect(|&at| picture.paint_boundary_mark(ui, side, &app.model, at));
         picture.paint_dots(ui, side, &app.model, &app.input.handles);

@@ -18,7 +18,8 @@ use crate::model::Model;
 use crate::model::side::user_error::{QuickFix, UserError};
 use crate::session::Command;
 use egui::{
-    Align, Color32, CornerRadius, Label, Layout, Rect, RichText, ScrollArea, Sense, Shape, Ui, UiBuilder, vec2,
+    Align, Color32, CornerRadius, Label, Layout, Rect, RichText, ScrollArea, Sense, Shape, Ui, UiBuilder, WidgetInfo,
+    vec2,
 };
 
 /// The tooltip of the button that hides and shows the panels.
@@ -51,6 +52,8 @@ const TITLE_LINE: f32 = 18.0;
 const TITLE_WIDTH: f32 = 190.0;
 const LEAST_TITLE: f32 = 90.0;
 const MOST_TITLE: f32 = 130.0;
+/// The button "Swap" in a narrow picture.
+const SWAP_SYMBOL: &str = "↔";
 /// Between the title and the buttons.
 const BESIDE_TITLE: f32 = 6.0;
 
@@ -111,7 +114,8 @@ fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surr
         actions.push(Action::TogglePanels);
     }
     let name = text_width(ui, &words::shape(model.shape(side)), theme::bold(14.0)) + BESIDE_TITLE;
-    let all_fit = narrow_row(ui, side) + name.clamp(LEAST_TITLE, MOST_TITLE) <= ui.available_width();
+    let whole = ui.available_width();
+    let all_fit = narrow_row(ui, side) + name.clamp(LEAST_TITLE, MOST_TITLE) <= whole;
     if all_fit {
         fit_button(ui, side, is_fitted, actions);
     }
@@ -120,7 +124,10 @@ fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surr
         // in the place of the swap button, so that the other buttons do not move under the finger
         fit_button(ui, side, is_fitted, actions);
     } else if side == Side::Target {
-        swap_button(ui, model, actions);
+        // the symbol where the word leaves the name no room
+        let row = narrow_row(ui, side) - button_width(ui, tr(key::fit()));
+        let label = if row + name <= whole { tr(key::swap()) } else { SWAP_SYMBOL };
+        swap_button(ui, model, label, actions);
     }
 }
 
@@ -142,11 +149,12 @@ fn narrow_row(ui: &Ui, side: Side) -> f32 {
     labels.iter().map(|label| button_width(ui, tr(*label)).max(least)).sum()
 }
 
-fn swap_button(ui: &mut Ui, model: &Model, actions: &mut Actions) {
+fn swap_button(ui: &mut Ui, model: &Model, label: &str, actions: &mut Actions) {
     let swap = Action::Session(Command::Swap);
     let is_locked = Locks::of(ui.ctx()).refused(&swap).is_some();
     let refusal = if is_locked { REFUSAL } else { key::swap_waits() };
-    let button = ui.add_enabled(!is_locked && model.is_mapped(), egui::Button::new(tr(key::swap())));
+    let button = ui.add_enabled(!is_locked && model.is_mapped(), egui::Button::new(label));
+    button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, button.enabled(), tr(key::swap())));
     if button.on_hover_text(tr(key::swap_tooltip())).on_disabled_hover_text(tr(refusal)).clicked() {
         actions.push(swap);
     }
@@ -202,8 +210,8 @@ pub fn messages(ui: &mut Ui, side: Side, model: &Model, room: Rect, actions: &mu
 /// The height of one row of the legend above a picture's lower edge.
 pub const LEGEND_HEIGHT: f32 = 32.0;
 
-/// Shows the legend of the dots and of the overlays' ticks, in two rows if needed; `beside` is the width at the right
-/// that other content takes.
+/// Shows the legend of the dots and, where they do not fit beside these, that of the overlays' ticks in rows above;
+/// `beside` is the width at the right that other content takes.
 pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View, beside: f32) {
     let low = view.rect.bottom();
     let place = view.rect.with_min_y(low - LEGEND_HEIGHT + 2.0).with_max_y(low - 8.0).shrink2(vec2(14.0, 0.0));
@@ -211,21 +219,39 @@ pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View, beside: f32) 
     let dashes = overlays::paint::legend(side, model, ui.visuals().dark_mode);
     let dashes: Vec<Entry> = dashes.into_iter().map(|(colour, text)| (colour, text, None)).collect();
     let all: f32 = dots.iter().chain(&dashes).map(|(_, text, _)| entry_width(ui, text)).sum();
-    let two_rows = !dashes.is_empty() && all > place.width() - beside;
-    ui.scope_builder(UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center)), |ui| {
-        over_the_mesh(ui, |ui| {
-            entries(ui, &dots, widgets::dot);
-            if !two_rows {
-                entries(ui, &dashes, widgets::dash);
-            }
-        });
+    let (first, above) = if all <= place.width() - beside { (dashes, Vec::new()) } else { (Vec::new(), dashes) };
+    row(ui, place, |ui| {
+        entries(ui, &dots, widgets::dot);
+        entries(ui, &first, widgets::dash);
     });
-    if two_rows {
-        let above = place.translate(vec2(0.0, -place.height()));
-        ui.scope_builder(UiBuilder::new().max_rect(above).layout(Layout::left_to_right(Align::Center)), |ui| {
-            over_the_mesh(ui, |ui| entries(ui, &dashes, widgets::dash));
-        });
+    let mut place = place;
+    for line in lines(ui, &above, place.width()).into_iter().rev() {
+        place = place.translate(vec2(0.0, -place.height()));
+        row(ui, place, |ui| entries(ui, line, widgets::dash));
     }
+}
+
+/// Divides entries into rows that fit into `room`; one that does not fit has a row of its own.
+fn lines<'a>(ui: &Ui, mut entries: &'a [Entry], room: f32) -> Vec<&'a [Entry]> {
+    let mut rows = Vec::new();
+    while !entries.is_empty() {
+        let mut width = 0.0;
+        let fits = |(_, text, _): &&Entry| {
+            width += entry_width(ui, text);
+            width <= room
+        };
+        let (row, rest) = entries.split_at(entries.iter().take_while(fits).count().max(1));
+        rows.push(row);
+        entries = rest;
+    }
+    rows
+}
+
+/// One row of the legend.
+fn row(ui: &mut Ui, place: Rect, content: impl FnOnce(&mut Ui)) {
+    ui.scope_builder(UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center)), |ui| {
+        over_the_mesh(ui, content);
+    });
 }
 
 /// The entries of the dots; where their words do not fit into `room`, their symbols alone.

@@ -58,6 +58,7 @@ fn marks(ui: &mut Ui, side: Side, asked: &SideInvariants, wanted: &mut Vec<Invar
     ui.horizontal_wrapped(|ui| {
         for (k, mark) in new.iter_mut().enumerate() {
             let drag = number_field(mark).speed(MARK_SPEED).range(0.0..=1.0).max_decimals(6);
+            let drag = drag.prefix(format!("{}: ", k + 1));
             let name = say(&key::mark(k + 1));
             let value = old[k];
             spoken(ui.add(drag), &name, value);
@@ -110,7 +111,7 @@ fn table(ui: &mut Ui, found: &FoundInvariants) {
     Grid::new("invariants").striped(true).spacing([10.0, 2.0]).show(ui, |ui| {
         for (name, number) in rows(found) {
             ui.label(RichText::new(name).small());
-            ui.label(RichText::new(shown(number)).small().monospace());
+            ui.label(RichText::new(shortened(number)).small().monospace()).on_hover_text(shown(number));
             ui.end_row();
         }
     });
@@ -138,14 +139,26 @@ const MOST_DECIMALS: f64 = 15.0;
 /// Below this, numbers are written with an exponent.
 const SMALL: f64 = 1e-4;
 
+/// The decimals that the column has room for, with the error beside them.
+const DECIMALS_IN_COLUMN: f64 = 9.0;
+
 /// A number to the digits that its error allows, and the error.
-pub fn shown(Number { value, error }: Number) -> String {
+pub fn shown(number: Number) -> String {
+    with_places(number, MOST_DECIMALS)
+}
+
+/// The same with fewer digits, so that the error is seen in the column too.
+fn shortened(number: Number) -> String {
+    with_places(number, DECIMALS_IN_COLUMN)
+}
+
+fn with_places(Number { value, error }: Number, most: f64) -> String {
     let places = if error > 0.0 { (-error.log10()).ceil() } else { f64::INFINITY };
     let value = if value != 0.0 && value.abs() < SMALL {
-        let digits = (places + value.abs().log10()).clamp(0.0, MOST_DECIMALS) as usize;
+        let digits = (places + value.abs().log10()).clamp(0.0, most) as usize;
         decimal(&format!("{value:.digits$e}"))
     } else {
-        number(value, places.clamp(0.0, MOST_DECIMALS) as usize)
+        number(value, places.clamp(0.0, most) as usize)
     };
     format!("{value} ± {error:.0e}")
 }
@@ -161,5 +174,10 @@ mod tests {
         assert_eq!(of(0.762_759_763_501_813, 1e-9), "0.762759764 ± 1e-9");
         assert_eq!(of(3.837_587_979_251e-7, 1e-17), "3.8375879793e-7 ± 1e-17");
         assert_eq!(of(2.5, 0.3), "2.5 ± 3e-1");
+        let modulus = Number { value: 1.524_504_094_083_92, error: 1e-14 };
+        assert_eq!(
+            (shown(modulus).as_str(), shortened(modulus).as_str()),
+            ("1.52450409408392 ± 1e-14", "1.524504094 ± 1e-14")
+        );
     }
 }

@@ -61,11 +61,18 @@ fn list(ui: &mut Ui, model: &Model, pins: &Pins, actions: &mut Actions) {
     }
 }
 
-/// A miss in words; "…" while the map is computed.
+/// The misses that are written without an exponent.
+const PLAIN_MISSES: std::ops::Range<f64> = 1e-3..1e3;
+
+/// A miss in words, to two digits; "…" while the map is computed.
 pub fn missed(miss: Option<f64>) -> Value {
     match miss {
         None => Value::from("…"),
         Some(0.0) => Value::from("0"),
+        Some(miss) if PLAIN_MISSES.contains(&miss) => {
+            let decimals = (1.0 - miss.log10().floor()).max(0.0) as usize;
+            Value::number(format!("{miss:.decimals$}"))
+        }
         Some(miss) => Value::number(format!("{miss:.1e}")),
     }
 }

@@ -117,7 +117,7 @@ fn curves(rows: &[&LadderRow], method: LadderMethod, axis: LadderAxis) -> Vec<Na
     let omega = of_method().map(|row| point(row, row.omega.max)).collect();
     let image = of_method().filter_map(|row| Some(point(row, row.image?.max))).collect();
     let curves: [NamedCurve; 2] = [
-        (named(key::harmonic_measure()), omega, LineStyle::Solid),
+        (named(key::harmonic_measure_in_legend()), omega, LineStyle::Solid),
         (named(key::boundary_images()), image, LineStyle::dashed_dense()),
     ];
     curves.into_iter().filter(|curve| !curve.1.is_empty()).collect()

@@ -324,3 +324,24 @@ fn where_the_plots_have_no_room_the_card_shows_them_on_request() {
         assert_room(&screen, "with plots on the card");
     }
 }
+
+#[test]
+fn in_the_step_of_crowding_all_marks_meet_through_the_disk_and_stay_apart_without_it() {
+    let mut screen = ready_app([1440.0, 900.0]);
+    go(&mut screen, 4);
+    step_until(&mut screen, |app| {
+        let found = app.model.disk_comparison().is_some_and(|disk| disk.all_found().next().is_some());
+        app.model.is_ready() && found
+    });
+    let model = &screen.state().model;
+    let (_, found) = model.disk_comparison().unwrap().all_found().next().unwrap();
+    assert_eq!(model.shown().unwrap().mapped_side(), Side::Source, "the words are about the marks on the blob");
+    let spread = |places: &mut dyn Iterator<Item = f64>| {
+        let (low, high) = places.fold((f64::MAX, f64::MIN), |(low, high), at| (low.min(at), high.max(at)));
+        high - low
+    };
+    // fractions of the blob's length from y₂ on, which all marks come to
+    let through_disk = spread(&mut found.marks.iter().map(|mark| (mark.through_disk + 0.5).fract()));
+    let direct = spread(&mut found.marks.iter().map(|mark| mark.direct));
+    assert!(through_disk < 1e-3 && direct > 0.9, "{through_disk} through the disk, {direct} directly");
+}

@@ -8,7 +8,9 @@ use crate::app::theme::{Palette, bold, is_animated};
 use crate::conformal::Side;
 use crate::language::{self, Label, Language, key, number, tr};
 use egui::emath::GuiRounding;
-use egui::{Align2, Color32, CornerRadius, CursorIcon, Painter, Pos2, Rect, Response, Stroke, StrokeKind, Ui, vec2};
+use egui::{
+    Align2, Color32, CornerRadius, CursorIcon, Painter, Pos2, Rect, Response, Stroke, StrokeKind, Ui, Vec2, vec2,
+};
 
 /// The opacity of a dot behind the surface.
 const HIDDEN_STRENGTH: f32 = 0.4;
@@ -117,14 +119,54 @@ pub fn paint_mark(ui: &Ui, painter: &Painter, side: Side, place: Pos2) {
 
 /// Paints words above a place, or below it where there is no room.
 pub fn paint_words(ui: &Ui, painter: &Painter, words: String, place: Pos2) {
+    paint_words_beside(ui, painter, words, Rect::from_center_size(place, Vec2::ZERO), &[]);
+}
+
+/// Paints words above `what`, or where they cover none of the dots and have room: below, at the right or at the left.
+pub fn paint_words_beside(ui: &Ui, painter: &Painter, words: String, what: Rect, dots: &[Pos2]) {
     let palette = Palette::of(ui.visuals());
     let galley = painter.layout_no_wrap(words, caption_font(ui), palette.text);
-    let size = galley.size() + vec2(16.0, 8.0);
-    let clip = painter.clip_rect().shrink(6.0);
-    let above = place.y - GRAB_RADIUS - size.y > clip.top();
-    let y = if above { place.y - GRAB_RADIUS - size.y } else { place.y + GRAB_RADIUS };
-    let x = (place.x - 0.5 * size.x).clamp(clip.left(), (clip.right() - size.x).max(clip.left()));
-    let label = Rect::from_min_size(Pos2::new(x, y), size);
+    let label = label_place(galley.size() + vec2(16.0, 8.0), painter.clip_rect().shrink(6.0), what, dots);
     painter.rect(label, CornerRadius::same(6), palette.raised, Stroke::new(1.0, palette.border), StrokeKind::Inside);
     painter.galley(label.min + vec2(8.0, 4.0), galley, palette.text);
+}
+
+fn label_place(size: Vec2, clip: Rect, what: Rect, dots: &[Pos2]) -> Rect {
+    let around = what.expand2(0.5 * size + Vec2::splat(GRAB_RADIUS));
+    let tried = [around.center_top(), around.center_bottom(), around.right_center(), around.left_center()];
+    let within = tried.map(|center| {
+        let low = clip.min + 0.5 * size;
+        let center = center.clamp(low, low.max(clip.max - 0.5 * size));
+        Rect::from_center_size(center, size)
+    });
+    let is_free = |label: &&Rect| {
+        let covers_none = dots.iter().all(|&dot| !label.expand(DOT_RADIUS).contains(dot));
+        covers_none && !label.intersects(what)
+    };
+    *within.iter().find(is_free).unwrap_or(&within[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_stand_above_what_they_name_and_go_where_no_dot_is_covered() {
+        let clip = Rect::from_min_max(Pos2::ZERO, Pos2::new(300.0, 300.0));
+        let size = vec2(100.0, 24.0);
+        let what = Rect::from_center_size(Pos2::new(150.0, 150.0), Vec2::splat(12.0));
+        let place = |dots: &[Pos2]| label_place(size, clip, what, dots);
+        let above = place(&[]);
+        assert!(above.bottom() < what.top() && above.center().x == what.center().x);
+        let below = place(&[above.center()]);
+        assert!(below.top() > what.bottom());
+        let beside = place(&[above.center(), below.center()]);
+        assert!(beside.left() > what.right());
+        let left = place(&[above.center(), below.center(), beside.center()]);
+        assert!(left.right() < what.left());
+        let high = Rect::from_center_size(Pos2::new(150.0, 10.0), Vec2::splat(12.0));
+        assert!(label_place(size, clip, high, &[]).top() > high.bottom(), "above there is no room");
+        let everywhere = [above, below, beside, left].map(|label| label.center());
+        assert_eq!(place(&everywhere), above);
+    }
 }

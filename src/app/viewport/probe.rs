@@ -1,6 +1,6 @@
 //! The probe: a small circle with a cross about a draggable point of the source, and its image in the target.
 
-use super::dots::paint_words;
+use super::dots::paint_words_beside;
 use super::view::View;
 use crate::app::input::handles::{GRAB_RADIUS, HandleState};
 use crate::app::input::keyboard_navigation;
@@ -9,7 +9,7 @@ use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::language::{key, number, say};
 use crate::model::{Model, Probe, ProbeImage};
-use egui::{Color32, CursorIcon, Painter, Pos2, Response, Shape, Stroke, Ui};
+use egui::{Color32, CursorIcon, Painter, Pos2, Rect, Response, Shape, Stroke, Ui};
 
 /// The ink of circle and cross, on a dark rim: seen on every pattern, and none of the dots' colors.
 const INK: Color32 = Color32::from_rgb(255, 214, 10);
@@ -76,15 +76,13 @@ pub fn paint(ui: &Ui, view: &View, probe: Probe, is_focused: bool) {
     }
 }
 
-/// Draws the probe's image on the target, with its size and turning in words.
-pub fn paint_image(ui: &Ui, view: &View, image: &ProbeImage) {
+/// Draws the probe's image on the target, with its size and turning in words beside it that cover none of the dots.
+pub fn paint_image(ui: &Ui, view: &View, image: &ProbeImage, dots: &[Pos2]) {
     let painter = ui.painter_at(view.rect);
     let places = |points: &[DVec2]| points.iter().map(|&point| view.to_screen(point)).collect::<Vec<Pos2>>();
     let ring = places(&image.ring);
-    let center = view.to_screen(image.center.image);
-    let top = ring.iter().map(|place| place.y).fold(center.y, f32::min);
     draw(&painter, &ring, &image.arms.each_ref().map(|arm| places(arm)), &places(&image.corner));
-    paint_words(ui, &painter, words(image), Pos2::new(center.x, top));
+    paint_words_beside(ui, &painter, words(image), Rect::from_points(&ring), dots);
 }
 
 /// |f′| and arg f′ at the center, in words.

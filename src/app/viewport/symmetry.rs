@@ -14,10 +14,12 @@ const BEYOND: f64 = 0.08;
 /// Dashes and gaps, in points.
 const DASH: f32 = 7.0;
 const GAP: f32 = 5.0;
-/// The widths of an axis, and of one that has caught the dot, with their dark rims: seen on every pattern.
+/// The widths of an axis, and of one that has caught the dot, with their rims in the color of the ground: seen on every
+/// pattern and beside it.
 const WIDTH: f32 = 1.25;
 const LIT_WIDTH: f32 = 2.5;
 const RIM: f32 = 2.0;
+const RIM_STRENGTH: f32 = 0.75;
 /// The radii of the mark of a center, and of the ring about a place that has caught the dot.
 const CENTER: f32 = 4.0;
 const RING: f32 = 17.0;
@@ -25,22 +27,29 @@ const RING: f32 = 17.0;
 /// Draws the symmetries of a side's outline where they are shown, and what has caught the dragged dot.
 pub fn paint(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState) {
     let painter = ui.painter_at(view.rect);
-    let lit = Palette::of(ui.visuals()).accent_soft;
+    let palette = Palette::of(ui.visuals());
+    let lit = palette.accent_soft;
+    let rim = palette.canvas.gamma_multiply(RIM_STRENGTH);
     let caught = handles.held_catch().filter(|(handle, _)| handle.side == side).map(|(_, catch)| catch);
     if let Some(Ok(found)) = model.symmetries(side) {
         let symmetries = &found.symmetries;
         for (k, (axis, ends)) in symmetries.axes.iter().zip(&found.ends).enumerate() {
             let is_lit = caught.is_some_and(|catch| catch.by.axis() == Some(k));
-            paint_axis(&painter, line(view, axis, ends, BEYOND * symmetries.size), is_lit.then_some(lit));
+            paint_axis(
+                &painter,
+                line(view, axis, ends, BEYOND * symmetries.size),
+                if is_lit { (LIT_WIDTH, lit) } else { (WIDTH, palette.text) },
+                rim,
+            );
         }
         if symmetries.rotations != Rotations::Identity {
             let is_lit = caught.is_some_and(|catch| catch.by == Catcher::Center);
-            paint_center(&painter, view.to_screen(symmetries.center), if is_lit { lit } else { Color32::WHITE });
+            paint_center(&painter, view.to_screen(symmetries.center), if is_lit { lit } else { palette.text }, rim);
         }
     }
     if let Some(catch) = caught.filter(|catch| !matches!(catch.by, Catcher::Axis(_))) {
         let place = view.to_screen(catch.place);
-        for (width, ink) in [(LIT_WIDTH + RIM, Color32::from_black_alpha(120)), (LIT_WIDTH, lit)] {
+        for (width, ink) in [(LIT_WIDTH + RIM, rim), (LIT_WIDTH, lit)] {
             painter.circle_stroke(place, RING, Stroke::new(width, ink));
         }
     }
@@ -53,17 +62,15 @@ fn line(view: &View, axis: &Axis, ends: &[DVec2], beyond: f64) -> [Pos2; 2] {
     [low - beyond, high + beyond].map(|along| view.to_screen(axis.point + along * axis.direction))
 }
 
-fn paint_axis(painter: &Painter, ends: [Pos2; 2], lit: Option<Color32>) {
+fn paint_axis(painter: &Painter, ends: [Pos2; 2], (width, ink): (f32, Color32), rim: Color32) {
     let Some(ends) = within(painter.clip_rect(), ends) else { return };
-    let width = if lit.is_some() { LIT_WIDTH } else { WIDTH };
-    let ink = lit.unwrap_or(Color32::WHITE);
-    for stroke in [Stroke::new(width + RIM, Color32::from_black_alpha(120)), Stroke::new(width, ink)] {
+    for stroke in [Stroke::new(width + RIM, rim), Stroke::new(width, ink)] {
         painter.extend(Shape::dashed_line(&ends, stroke, DASH, GAP));
     }
 }
 
-fn paint_center(painter: &Painter, place: Pos2, ink: Color32) {
-    for (width, ink) in [(WIDTH + RIM, Color32::from_black_alpha(120)), (WIDTH, ink)] {
+fn paint_center(painter: &Painter, place: Pos2, ink: Color32, rim: Color32) {
+    for (width, ink) in [(WIDTH + RIM, rim), (WIDTH, ink)] {
         painter.circle_stroke(place, CENTER, Stroke::new(width, ink));
         for arm in [Vec2::X, Vec2::Y] {
             painter.line_segment([place - 2.0 * CENTER * arm, place + 2.0 * CENTER * arm], Stroke::new(width, ink));

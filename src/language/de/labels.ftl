@@ -443,7 +443,7 @@ add_pin_tooltip = Fügt einen Pin mit seinem jetzigen Bild hinzu, wie ein Doppel
 no_more_pins = Es sind 64 Pins, oder die Bilder weiterer lassen sich nicht unterscheiden
 pins_do_not_play = Pins halten die Abbildung fest: Unter „Welche Abbildung“ „Punkte“ wählen, damit sich Punkte bewegen
 pin_misses_tooltip = Der Abstand zwischen dem Bild des Pins und dem Pin des Bilds, in dessen Einheiten
-pins_in_legend = Pins: k kommt auf k
+pins_in_legend = Pins: jeder kommt auf den seiner Nummer
 explain_pin = Ein Randpunkt, der auf den Pin mit derselben Nummer auf der anderen Seite kommt. Zieh ihn am Umriss entlang; ein Doppelklick auf den Umriss fügt einen hinzu.
 pin_misses_by = verfehlt um { $miss }
 remove_pin = Pin { $pin } entfernen
@@ -757,6 +757,7 @@ plots_tooltip = Poisson-Kern, harmonisches Maß und Umparametrisierung entlang d
 ## tour
 
 harmonic_measure = Harmonisches Maß
+harmonic_measure_in_legend = harmonisches Maß
 of = { $part } von { $whole }
 next = Weiter
 end = Beenden
@@ -932,7 +933,7 @@ lesson_not_kept = Die Lektion bleibt nicht bis zum nächsten Besuch erhalten: { 
 ## best map
 
 best_map = Beste Abbildung
-explain_best_map = Alle konformen Abbildungen der einen Seite auf die andere unterscheiden sich durch drei Zahlen: welcher Punkt x₁ auf x₂ kommt (zwei Zahlen), und eine Drehung. „Suchen“ sucht unter allen die beste: mit den gleichmäßigsten Flächen (das kleinste Mittel von (ln σ₁σ₂)², nach Fläche gewichtet; σ₁σ₂ sagt, wie sehr eine kleine Fläche wächst, bis auf einen gemeinsamen Maßstab), mit dem kleinsten Verhältnis vom größten zum kleinsten Maßstab (auf 98 % der Fläche, denn Ecken haben keinen), mit den gleichmäßigsten Flächen in einem Gebiet, das du malst, oder mit der kleinsten Abweichung von den Symmetrien beider Umrisse. Erst nach einer Formel für die ganze Familie, dann an der Abbildung selbst. Die Landschaft zeigt die Zahl für jeden Ort von x₁.
+explain_best_map = Alle konformen Abbildungen der einen Seite auf die andere unterscheiden sich durch drei Zahlen: welcher Punkt x₁ auf x₂ kommt (zwei Zahlen), und eine Drehung. „Suchen“ sucht unter allen die beste: mit den gleichmäßigsten Flächen (das kleinste Mittel von (ln σ₁σ₂)², nach Fläche gewichtet; σ₁σ₂ sagt, wie sehr eine kleine Fläche wächst, bis auf einen gemeinsamen Maßstab), mit dem kleinsten Verhältnis vom größten zum kleinsten Maßstab (auf 98 % der Fläche, denn Ecken haben keinen), mit den gleichmäßigsten Flächen in einem Gebiet, das du malst, oder mit der kleinsten Abweichung von den Symmetrien beider Umrisse. Erst nach einer Formel für die ganze Familie, dann an der Abbildung selbst. Die Landschaft zeigt die Zahl für jeden Ort von x₁, mit y₁ und y₂, wo sie sind; „Suchen“ dreht auch sie und kann deshalb weniger finden.
 aim_area = Flächen
 aim_area_tooltip = Die gleichmäßigsten Flächen
 aim_scale = Maßstäbe
@@ -1039,7 +1040,7 @@ save_grid_as = Gitter als { $format } speichern
 map_projection = Landkarte…
 map_projection_tooltip = Die Karte eines Landes oder einer Insel, deren Maßstab am wenigsten schwankt
 projection = Landkarte
-explain_projection = Keine ebene Karte eines Teils der Erde hat überall denselben Maßstab. Unter allen winkeltreuen Karten schwankt er bei der am wenigsten, deren Maßstab am ganzen Rand des Gebiets gleich ist; das hat Tschebyschow 1856 gesagt, Grave bewiesen und Milnor 1969 neu gefasst. Sie folgt aus einer Randwertaufgabe: Der Logarithmus des Maßstabs ist am Rand bekannt und hat innen keine eigenen Spitzen. Das Verhältnis ist das des größten zum kleinsten Maßstab; daneben steht, was die beste stereografische Projektion erreicht, die beste unter denen mit einfacher Formel.
+explain_projection = Keine ebene Karte eines Teils der Erde hat überall denselben Maßstab. Unter allen winkeltreuen Karten schwankt er bei der am wenigsten, deren Maßstab am ganzen Rand des Gebiets gleich ist; das hat Tschebyschow 1856 gesagt, Grave bewiesen und Milnor 1969 neu gefasst. Sie folgt aus einer Randwertaufgabe: Der Logarithmus des Maßstabs ist am Rand bekannt und dort größer als überall innen. Das Verhältnis ist das des größten zum kleinsten Maßstab; daneben steht, was die beste stereografische Projektion erreicht, die beste unter denen mit einfacher Formel.
 projection_begin = Eine GeoJSON-Datei mit dem Umriss eines Landes oder einer Insel in Länge und Breite öffnen, oder eine erfundene Insel ansehen.
 open_region = Gebiet öffnen…
 open_region_tooltip = Eine GeoJSON-Datei in Länge und Breite; von mehreren Polygonen wird das größte abgebildet

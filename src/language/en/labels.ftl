@@ -443,7 +443,7 @@ add_pin_tooltip = Adds a pin with its present image; so does a double click on a
 no_more_pins = There are 64 pins, or the images of more cannot be told apart
 pins_do_not_play = Pins hold the map: choose “Points” under “Which map” to let points move
 pin_misses_tooltip = The distance between the pin's image and the pin of the target, in the target's units
-pins_in_legend = pins: k goes to k
+pins_in_legend = Pins: each goes to the one of its number
 explain_pin = A boundary point that goes to the pin with the same number on the other side. Drag it along the outline; a double click on the outline adds one.
 pin_misses_by = miss { $miss }
 remove_pin = Remove pin { $pin }
@@ -757,6 +757,7 @@ plots_tooltip = Poisson kernel, harmonic measure and reparameterization along th
 ## tour
 
 harmonic_measure = Harmonic measure
+harmonic_measure_in_legend = harmonic measure
 of = { $part } of { $whole }
 next = Next
 end = End
@@ -932,7 +933,7 @@ lesson_not_kept = The lesson is not kept for the next visit: { $reason }
 ## best map
 
 best_map = Best map
-explain_best_map = All conformal maps from one side onto the other differ by three numbers: which point x₁ goes to x₂ (two numbers), and a turn. “Find it” searches all of them for the best: with the most even areas (the least mean of (ln σ₁σ₂)², weighted by area, where σ₁σ₂ is how much a small area grows, up to one common scale), with the least ratio of the largest to the smallest scale (over 98 % of the area, as corners have no scale), with the most even areas in a region that you paint, or with the least deviation from the symmetries of both outlines. First by a formula for the whole family, then on the map itself. The landscape shows the number for every place of x₁.
+explain_best_map = All conformal maps from one side onto the other differ by three numbers: which point x₁ goes to x₂ (two numbers), and a turn. “Find it” searches all of them for the best: with the most even areas (the least mean of (ln σ₁σ₂)², weighted by area, where σ₁σ₂ is how much a small area grows, up to one common scale), with the least ratio of the largest to the smallest scale (over 98 % of the area, as corners have no scale), with the most even areas in a region that you paint, or with the least deviation from the symmetries of both outlines. First by a formula for the whole family, then on the map itself. The landscape shows the number for every place of x₁, with y₁ and y₂ where they are; “Find it” turns them too, so it may find less.
 aim_area = Areas
 aim_area_tooltip = The most even areas
 aim_scale = Scales
@@ -1039,7 +1040,7 @@ save_grid_as = Save the grid as { $format }
 map_projection = Map projection…
 map_projection_tooltip = The map of a country or an island whose scale varies least
 projection = Map projection
-explain_projection = No flat map of a part of the globe has the same scale everywhere. Among all maps that keep angles, the scale varies least on the one whose scale is the same all along the region's boundary; Chebyshev said so in 1856, Grave proved it, and Milnor gave the proof a new form in 1969. It follows from one boundary value problem: the logarithm of the scale is known on the boundary and has no largest or least value of its own inside. The ratio is that of the largest scale to the least one; beside it stands what the best stereographic projection reaches, the best of those with a simple formula.
+explain_projection = No flat map of a part of the globe has the same scale everywhere. Among all maps that keep angles, the scale varies least on the one whose scale is the same all along the region's boundary; Chebyshev said so in 1856, Grave proved it, and Milnor gave the proof a new form in 1969. It follows from one boundary value problem: the logarithm of the scale is known on the boundary and is larger there than anywhere inside. The ratio is that of the largest scale to the least one; beside it stands what the best stereographic projection reaches, the best of those with a simple formula.
 projection_begin = Open a GeoJSON file with the outline of a country or an island in longitude and latitude, or look at an island that does not exist.
 open_region = Open a region…
 open_region_tooltip = A GeoJSON file in longitude and latitude; of several polygons the largest is mapped

@@ -146,7 +146,7 @@ keys_of_labels! {
     // dots
     explain_x1, explain_x2, explain_y1, explain_y2,
     // tour
-    harmonic_measure, next, end, keep_picture, keep_picture_tooltip, show_again, end_tour_tooltip, map_between_two_shapes,
+    harmonic_measure, harmonic_measure_in_legend, next, end, keep_picture, keep_picture_tooltip, show_again, end_tour_tooltip, map_between_two_shapes,
     map_between_two_shapes_about, angles_stay, angles_stay_about, three_freedoms, three_freedoms_about,
     harmonic_measure_about, tour_crowding_about, surfaces, surfaces_about,
     // lesson

@@ -8,6 +8,7 @@ use crate::app::windows::explore::thumbnail;
 use crate::app::windows::explore::thumbnail::SIZE;
 use crate::app::windows::explore::window::BESIDES;
 use crate::conformal::{Direction, Side};
+use crate::geometry::DVec2;
 use crate::language::{Label, key, tr};
 use crate::outline::Preset;
 use crate::session::{Colouring, Command, Comparison, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind};
@@ -95,10 +96,19 @@ fn solid(surface: SurfacePreset, outline: Preset) -> Session {
     ])
 }
 
-/// The V-shape and the blob, compared with the map through the disk (the paper's Figure 12).
+/// In the right arm of the V-shape, far from the point about which its disk map is computed before the constraints are
+/// known.
+const IN_THE_OTHER_ARM: DVec2 = DVec2::new(0.93, 0.75);
+
+/// The V-shape and the blob, compared with the map through the disk (the paper's Figure 12): with x₁ in the other arm,
+/// all steps along the V come to one point of the blob.
 pub fn crowding() -> Session {
-    planar(Preset::VShape, Preset::Blob)
-        .and([Command::SetComparison(Comparison::Precomputed), Command::SetColouring(Colouring::Texture)])
+    planar(Preset::VShape, Preset::Blob).and([
+        Command::SetDirection(Direction::Forward),
+        Command::MoveInterior { side: Side::Source, point: IN_THE_OTHER_ARM.into() },
+        Command::SetComparison(Comparison::Precomputed),
+        Command::SetColouring(Colouring::Texture),
+    ])
 }
 
 /// Free space around a thumbnail, in points.

@@ -123,7 +123,7 @@ fn made(ui: &mut Ui, found: &FoundProjection, most: f32) {
 
 fn numbers(found: &FoundProjection) -> [(&'static str, String); 3] {
     let report = &found.report;
-    let [longitude, latitude] = report.least_scale_at.map(|degrees| number(degrees, 3));
+    let [longitude, latitude] = report.least_scale_at.map(|degrees| number(degrees, 3).replace('-', "−"));
     let error = Value::number(format!("{:.0e}", report.scale_ratio_error));
     [
         (tr(key::scale_ratio()), say(&key::ratio_at_most(number(report.scale_ratio, 6), error))),
