@@ -14,6 +14,7 @@ use crate::model::export::ReadyFile;
 use crate::outline::CurveForm;
 use crate::session::{Command, OutlineSpec};
 use crate::worker::{Finding, FoundGrid, GridContent, GridTask, Number};
+use std::borrow::Cow;
 
 /// The largest error of a modulus, as a part of it, with which its rectangle is made.
 const LEAST_CERTAIN: f64 = 1e-3;
@@ -82,7 +83,8 @@ impl Model {
         match action {
             GridAction::Show(side, is_shown) => grids.show(side, is_shown),
             GridAction::Cells(side, cells) => grids.set_cells(side, cells),
-            GridAction::Save(..) | GridAction::Cancel => grids.save(to_save),
+            GridAction::Save(side, _) => grids.save(to_save.map(|task| (side, task))),
+            GridAction::Cancel => grids.save(None),
         }
     }
 
@@ -100,15 +102,15 @@ impl Model {
 
     /// The lines of the grids over a side: those of its own marks, and the lattice of the other side's marks where this side
     /// is their rectangle.
-    pub fn grid_lines(&self, side: Side) -> Vec<Vec<DVec2>> {
+    pub fn grid_lines(&self, side: Side) -> Vec<Cow<'_, [DVec2]>> {
         let mut lines = Vec::new();
         if let Some(Ok(FoundGrid { content: GridContent::Lines([rows, columns]), .. })) = self.grid(side) {
-            lines.extend(rows.iter().chain(columns).cloned());
+            lines.extend(rows.iter().chain(columns).map(|line| Cow::from(line.as_slice())));
         }
         let other = side.other();
         let grid = self.overlay_state.orthogonal_grids.of(other);
         if let Some((cells, corners)) = grid.cells().filter(|_| grid.is_shown).zip(self.pinned_rectangle(other)) {
-            lines.extend(lattice(cells, corners));
+            lines.extend(lattice(cells, corners).into_iter().map(Cow::from));
         }
         lines
     }

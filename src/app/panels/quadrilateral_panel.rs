@@ -16,6 +16,8 @@ use crate::session::Touched;
 use crate::worker::{FoundGrid, GridTask};
 use egui::{Button, Color32, RichText, Role, Ui, WidgetInfo, vec2};
 
+/// The sides along which cells are counted, by the marks at their ends.
+const SIDES: [&str; 2] = ["1→2", "2→3"];
 /// The change of a number of cells by a drag over one point of the screen.
 const SPEED: f64 = 0.1;
 
@@ -63,11 +65,12 @@ fn grid(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     match model.grid(side) {
         Some(Ok(found)) => {
             small(ui, &say(&accuracy(found)), palette.weak);
-            let [along, across] = GridTask::strides(cells);
-            if along.max(across) > 1 {
-                small(ui, &say(&key::lines_drawn(along.max(across))), palette.weak);
+            for (stride, of) in GridTask::strides(cells).into_iter().zip(SIDES) {
+                if stride > 1 {
+                    small(ui, &say(&key::lines_drawn(stride, of)), palette.weak);
+                }
             }
-            save(ui, side, grids.saving(), actions);
+            save(ui, side, grids.saving(side), actions);
         }
         Some(Err(reason)) => small(ui, &say(&key::sentence(reason.clone())), palette.error_edge),
         None => small(ui, &computing(model.grid_progress(side).unwrap_or_default()), palette.weak),
@@ -96,7 +99,7 @@ fn counts(ui: &mut Ui, side: Side, cells: GridCells, actions: &mut Actions) {
             if k == 1 {
                 ui.label("×");
             }
-            let field = number_field(&mut new[k]).range(1..=MOST_CELLS).speed(SPEED);
+            let field = number_field(&mut new[k]).range(1..=MOST_CELLS).speed(SPEED).prefix(format!("{}: ", SIDES[k]));
             spoken(ui.add(field).on_hover_text(tr(name)), tr(name), f64::from(old[k]));
         }
     });

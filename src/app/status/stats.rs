@@ -366,7 +366,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 53] = [
+    const KEYS: [&str; 54] = [
         "backend",
         "best",
         "boundary_checksum",
@@ -404,7 +404,8 @@ mod tests {
         "pointed",
         "prepare_ms",
         "preparing",
-        "projection", "report",
+        "projection",
+        "report",
         "q_max",
         "q_mean",
         "ready",

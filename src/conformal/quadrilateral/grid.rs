@@ -76,6 +76,8 @@ impl OrthogonalGrid {
 const MEASURED: usize = 2048;
 /// The least number of steps in which a line is drawn.
 const DRAWN: u32 = 128;
+/// The most of them, however many nodes it has.
+const MOST_DRAWN: u32 = 256;
 
 impl RectangleMap<'_> {
     /// The grid with these numbers of cells. `progress` is called with the completed fraction and returns whether to go
@@ -96,12 +98,12 @@ impl RectangleMap<'_> {
     }
 
     /// The lines of a grid inside, for drawing: those of constant j in the first list, those of constant i in the second,
-    /// divided further where their nodes are few. Of the first list only every `stride[0]`-th line, of the second every
+    /// divided further where their nodes are few, and by [`MOST_DRAWN`] points at most. Of the first list only every `stride[0]`-th line, of the second every
     /// `stride[1]`-th.
     pub fn lines(&self, cells: GridCells, stride: [u32; 2]) -> [Vec<Vec<DVec2>>; 2] {
         let [n, m] = cells.0;
         let every = |stride: u32, count: u32| -> Vec<u32> { (1..count).filter(|k| k % stride == 0).collect() };
-        let [fine_n, fine_m] = cells.0.map(|count| count * DRAWN.div_ceil(count));
+        let [fine_n, fine_m] = cells.0.map(|count| (count * DRAWN.div_ceil(count)).min(MOST_DRAWN));
         let row = |j: u32| (0..=fine_n).map(|i| self.image(Place { steps: [fine_n, m], at: [i, j] })).collect();
         let column = |i: u32| (0..=fine_m).map(|j| self.image(Place { steps: [n, fine_m], at: [i, j] })).collect();
         let [rows, columns] = [every(stride[0], m), every(stride[1], n)];

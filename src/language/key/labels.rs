@@ -256,7 +256,7 @@ keys_of_messages! {
     symmetries_of(side); symmetry_axis(angle, off); symmetry_turns(angle, off); symmetry_circle(off); more_axes(count);
     symmetry_tolerance(share); on_axis(angle); at_axis_end(angle); caught_dot(dot, place);
     // quadrilaterals
-    pinned_to_corners(miss); grid_accuracy(error, angle); grid_error(error); lines_drawn(stride); computing_at(percent);
+    pinned_to_corners(miss); grid_accuracy(error, angle); grid_error(error); lines_drawn(stride, side); computing_at(percent);
     modulus_uncertain(value, error); accessible_grid(side, first, second, accuracy); save_grid_as(format);
     // projections
     ratio_at_most(value, error); place_in_degrees(longitude, latitude); graticule_steps(longitude, latitude);

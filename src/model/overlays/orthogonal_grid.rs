@@ -49,7 +49,8 @@ pub enum GridWork {
 #[derive(Debug, Default)]
 pub struct GridState {
     sides: PerSide<SideGrid>,
-    to_save: Option<GridTask>,
+    /// The file to save, and the side whose grid it is.
+    to_save: Option<(Side, GridTask)>,
     in_flight: Option<GridTask>,
     /// The share of the task in flight that is done.
     done: f64,
@@ -73,9 +74,9 @@ impl GridState {
         &self.sides[side]
     }
 
-    /// The share of a file to be saved that is done; `None` without one.
-    pub fn saving(&self) -> Option<f64> {
-        self.to_save.as_ref().map(|task| self.done_of(task))
+    /// The share of the file of a side's grid that is done; `None` without one.
+    pub fn saving(&self, side: Side) -> Option<f64> {
+        self.to_save.as_ref().filter(|(saved, _)| *saved == side).map(|(_, task)| self.done_of(task))
     }
 
     /// The share of a task that is done: 0 while it waits.
@@ -93,8 +94,8 @@ impl GridState {
         self.sides[side].cells = Some(cells);
     }
 
-    /// The file to save next; `None`: none any more.
-    pub fn save(&mut self, task: Option<GridTask>) {
+    /// The file to save next, of a side's grid, in the place of the last one; `None`: none any more.
+    pub fn save(&mut self, task: Option<(Side, GridTask)>) {
         self.to_save = task;
     }
 
@@ -102,7 +103,7 @@ impl GridState {
     pub fn next(&mut self, shown: &PerSide<Option<GridTask>>) -> GridWork {
         let is_missing = |(side, task): &(Side, &GridTask)| self.sides[*side].result(task).is_none();
         let missing = shown.iter().filter_map(|(side, task)| Some((side, task.as_ref()?))).find(is_missing);
-        let wanted = self.to_save.as_ref().or(missing.map(|(_, task)| task)).cloned();
+        let wanted = self.to_save.as_ref().map(|(_, task)| task).or(missing.map(|(_, task)| task)).cloned();
         if wanted == self.in_flight {
             return GridWork::Nothing;
         }
@@ -175,12 +176,13 @@ mod tests {
         state.accept(&disk, Finding::Progress(0.5), &both);
         assert!((state.done_of(&disk) - 0.5).abs() < 1e-12 && state.done_of(&square) < 1e-12);
         let csv = task(Preset::Disk, Some(GridFormat::Csv));
-        state.save(Some(csv.clone()));
-        assert_eq!((state.next(&both), state.saving()), (GridWork::Begin(csv.clone()), Some(0.0)));
+        state.save(Some((Side::Source, csv.clone())));
+        assert_eq!((state.next(&both), state.saving(Side::Source)), (GridWork::Begin(csv.clone()), Some(0.0)));
+        assert_eq!(state.saving(Side::Target), None, "it is the other side's");
         assert_eq!(state.accept(&disk, found(GridContent::Lines([Vec::new(), Vec::new()])), &both), None, "superseded");
         let saved = state.accept(&csv, found(GridContent::File("i,j".into())), &both).unwrap().unwrap();
         assert_eq!((saved.name.as_str(), saved.bytes.as_slice()), ("riemap_grid.csv", &b"i,j"[..]));
-        assert_eq!((state.next(&both), state.saving()), (GridWork::Begin(disk.clone()), None));
+        assert_eq!((state.next(&both), state.saving(Side::Source)), (GridWork::Begin(disk.clone()), None));
         state.accept(&disk, found(GridContent::Lines([Vec::new(), Vec::new()])), &both);
         assert!(state.of(Side::Source).result(&disk).unwrap().is_ok());
         assert_eq!(state.next(&both), GridWork::Begin(square.clone()));
