@@ -9,7 +9,7 @@ mod support;
 mod by_hand;
 #[cfg(feature = "app")]
 mod command_line;
-#[cfg(feature = "app")]
+#[cfg(feature = "io")]
 mod shared_data;
 mod through_disk;
 

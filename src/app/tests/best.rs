@@ -61,13 +61,13 @@ fn it_is_found_by_one_button_and_taken_back_by_one_undo() {
 fn one_undo_ends_the_motion_to_it_and_takes_back_nothing_before() {
     let mut harness = ready_app([1200.0, 1100.0]);
     harness.state_mut().model.dispatch(Command::MoveAnchor { side: Side::Source, fraction: 0.25 }, 0.0);
-    step_until(&mut harness, |app| app.stats().screen.undo == 1);
+    step_until(&mut harness, |app| app.stats().screen.undo == 1 && app.model.can_search());
     let before = harness.state().session().clone();
     for moved in [false, true] {
         harness.get_by_label("Find it").click();
         step_until(&mut harness, |app| app.model.best().is_moving() && (!moved || app.session() != &before));
         harness.state_mut().undo();
-        step_until(&mut harness, |app| app.model.is_mapped() && app.stats().screen.undo == 1);
+        step_until(&mut harness, |app| app.model.can_search() && app.stats().screen.undo == 1);
         assert!(harness.state().session() == &before && !harness.state().model.best().is_moving());
     }
 }
