@@ -167,7 +167,10 @@ mod tests {
     fn the_tree_finds_the_dabs_that_contain_a_place() {
         let dab = |k: u32| {
             let t = f64::from(k % 300) / 40.0;
-            Dab { middle: DVec3::new(t.cos(), (2.0 * t).sin(), 0.3 * t), radius: if k % 7 == 0 { 0.2 } else { 0.05 } }
+            Dab {
+                middle: DVec3::new(t.cos(), (2.0 * t).sin(), 0.3 * t),
+                radius: if k.is_multiple_of(7) { 0.2 } else { 0.05 },
+            }
         };
         for count in [1, 4, 5, 6, 11, 500] {
             let dabs: Vec<Dab> = (0..count).map(dab).collect();
