@@ -20,21 +20,24 @@ impl RiemapApp {
     pub(super) fn undo(&mut self) {
         match self.windows.explore.step() {
             Some(step) => self.explore(ExploreAction::Step(step)),
-            None => self.step(Persistence::undo),
+            // points on their way to the best map are a change that is discarded
+            None if self.model.end_flight() => self.step_from(false, Persistence::undo),
+            None => self.step_from(self.model.is_mapped(), Persistence::undo),
         }
     }
 
     /// Redo; nothing in the tour or a lesson.
     pub(super) fn redo(&mut self) {
         if !self.windows.explore.is_touring() {
-            self.step(Persistence::redo);
+            self.step_from(self.model.is_mapped(), Persistence::redo);
         }
     }
 
     /// Whether there is something to undo and to redo.
     pub(super) fn can_step(&self) -> [bool; 2] {
         let history = self.persistence.history();
-        if self.windows.explore.is_touring() { [true, false] } else { [history.can_undo(), history.can_redo()] }
+        let can_undo = history.can_undo() || self.model.best().is_moving();
+        if self.windows.explore.is_touring() { [true, false] } else { [can_undo, history.can_redo()] }
     }
 
     /// The user's own session once it is mapped; in the tour or a lesson, the one from before.
@@ -43,8 +46,8 @@ impl RiemapApp {
     }
 
     /// Goes to another entry of the history: `to` is undo or redo.
-    fn step(&mut self, to: impl Fn(&mut Persistence, Option<&Session>) -> Option<Session>) {
-        let at_rest = self.model.is_mapped().then(|| self.model.session());
+    fn step_from(&mut self, is_at_rest: bool, to: impl Fn(&mut Persistence, Option<&Session>) -> Option<Session>) {
+        let at_rest = is_at_rest.then(|| self.model.session());
         let Some(session) = to(&mut self.persistence, at_rest) else { return };
         self.show_session(session);
     }

@@ -164,10 +164,13 @@ fn with_files(decoded: Decoded, arguments: &SessionArguments) -> Result<Session,
         let Some(place) = missing.iter().position(|outline| outline.side == side) else {
             return Err(CliError::Usage(format!("--{side}: the session has its outline of the {side}")));
         };
-        let MissingOutline { interior, anchor, pins, .. } = missing.remove(place);
+        let MissingOutline { interior, anchor, pins, region, .. } = missing.remove(place);
         let outline = read_outline(name, false)?.outline;
         // not SetOutline: a surface that hides the outline must stay
         session.apply(Command::ReshapeOutline { side, outline: outline.into(), interior, anchor });
+        if !region.is_empty() {
+            session.apply(Command::SetRegion(region));
+        }
         if missing.is_empty() && pins.is_some() {
             session.apply(Command::SetPins(pins));
         }

@@ -97,6 +97,15 @@ impl Moebius {
         -(self.b.conj() * z + self.a.conj()).norm_sqr().ln()
     }
 
+    /// The area of the triangle whose corners are the images of three points of the closed disk, negative if clockwise.
+    ///
+    /// f(z) − f(w) = (z − w)/((b̄ z + ā)(b̄ w + ā)): images close to each other do not cancel.
+    pub fn area(&self, [z, u, v]: [Complex64; 3]) -> f64 {
+        let [at_z, at_u, at_v] = [z, u, v].map(|point| (self.b.conj() * point + self.a.conj()).inv());
+        let (p, q) = ((u - z) * at_u, (v - z) * at_v);
+        0.5 * at_z.norm_sqr() * (p.conj() * q).im
+    }
+
     /// The image of the point of the circle at the angle 2πω, as such an ω modulo 1.
     pub fn omega(&self, omega: f64) -> f64 {
         self.apply(Complex64::from_polar(1.0, TAU * omega)).arg() / TAU

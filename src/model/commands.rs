@@ -25,12 +25,6 @@ impl Model {
         if touched.touches(Touched::NEW_SHAPE) {
             self.pinned.expect(None);
         }
-        if let Command::SetOutline { side: Side::Source, .. }
-        | Command::SetSurface { side: Side::Source, .. }
-        | Command::CloseSurface(Side::Source) = command
-        {
-            self.session.apply(Command::SetRegion(Vec::new())); // it was painted on another shape
-        }
         match command {
             Command::SetOutline { side, outline } => {
                 self.want_outline(side, outline, Vec::new());
@@ -47,7 +41,10 @@ impl Model {
                 }
             }
             Command::SetHoles { side, holes } => self.set_holes(side, holes),
-            Command::CloseSurface(side) => self.close_surface(side),
+            Command::CloseSurface(side) => {
+                self.close_surface(side);
+                self.drop_region(side);
+            }
             Command::SetSettings { side, settings } => self.side_mut(side).want_settings(settings, now),
             Command::Swap => self.swap(),
             Command::Open(session) => self.open(&session),
@@ -119,12 +116,10 @@ impl Model {
         self.sides[side].next = Next::Same;
         self.sides[side].surface.preparation.give_up();
         if self.session.surface(side).is_some() && self.side(side).wanted().outline == outline {
+            self.drop_region(side);
             return self.close_surface(side);
         }
         self.pinned.expect(None);
-        if side == Side::Source {
-            self.session.apply(Command::SetRegion(Vec::new())); // it was painted on another shape
-        }
         self.sides[side].next = Next::Outline;
         self.sides[side].incoming_points = None;
         self.side_mut(side).error = None;
@@ -281,6 +276,14 @@ impl Model {
         self.under_way.is_moving = !is_at_rest;
     }
 
+    /// Drops the region that was painted on a source that another shape has replaced; not before, since a shape may be
+    /// refused.
+    pub(super) fn drop_region(&mut self, side: Side) {
+        if side == Side::Source {
+            self.session.apply(Command::SetRegion(Vec::new()));
+        }
+    }
+
     /// Applies a prepared outline, with the points that a session has for it.
     fn take_prepared(&mut self, side: Side, spec: DomainSpec, is_new: bool) {
         if is_new && spec.outline != self.session.domain(side).outline {
@@ -293,6 +296,7 @@ impl Model {
         }
         if self.sides[side].next.take_outline() {
             self.session.apply(Command::CloseSurface(side));
+            self.drop_region(side);
         }
         self.session.apply(Command::SetSettings { side, settings: spec.settings });
         if let Some(points) = self.sides[side].incoming_points.take() {

@@ -51,15 +51,23 @@ impl Model {
             ]
         };
         match next {
-            Next::Outline => vec![Command::CloseSurface(side)],
+            Next::Outline => std::iter::once(Command::CloseSurface(side)).chain(without_region(side)).collect(),
             Next::Surface(state) => of_state(state),
             Next::Same if surface.preparation.is_busy() => {
-                let wanted = surface.preparation.wanted().cloned();
-                wanted.map(|surface| Command::SetSurface { side, surface }).into_iter().collect()
+                let Some(wanted) = surface.preparation.wanted().cloned() else { return Vec::new() };
+                let shown = self.session.surface(side);
+                let is_another = shown.is_none_or(|shown| !shown.spec.shape.is_like(&wanted.shape));
+                let region = without_region(side).filter(|_| is_another);
+                std::iter::once(Command::SetSurface { side, surface: wanted }).chain(region).collect()
             }
             Next::Same => Vec::new(),
         }
     }
+}
+
+/// What drops the region painted on the source that another shape replaces.
+fn without_region(side: Side) -> Option<Command> {
+    (side == Side::Source).then(|| Command::SetRegion(Vec::new()))
 }
 
 #[cfg(test)]

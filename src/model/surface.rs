@@ -119,6 +119,10 @@ impl Model {
     /// Shows a prepared surface, with the points of the session that waited for it, if any.
     fn take_surface(&mut self, side: Side, spec: SurfaceSpec, is_new: bool) {
         let incoming = self.sides[side].next.take_surface_if(|incoming| incoming.spec.shape.is_like(&spec.shape));
+        let stays = self.session.surface(side).is_some_and(|shown| shown.spec.shape.is_like(&spec.shape));
+        if is_new && !stays && incoming.is_none() {
+            self.drop_region(side);
+        }
         self.show_surface(side, spec, is_new);
         if let Some(incoming) = incoming {
             self.place_surface(side, incoming);

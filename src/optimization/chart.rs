@@ -23,6 +23,8 @@ const RIM: f64 = 1e-10;
 #[derive(Debug)]
 pub struct Chart {
     prepared: Arc<PreparedSide>,
+    /// The triangle of the default point.
+    middle: TriangleId,
     /// By boundary edge the triangle at it.
     edge_triangles: Vec<u32>,
     /// g at the vertices.
@@ -43,7 +45,7 @@ impl Chart {
         let places = disk_coordinates(prepared, &measure).map_err(not_converged)?;
         let scale = log_disk_scale(prepared, &kernel).map_err(not_converged)?;
         let edge_triangles = triangles_at_edges(prepared);
-        Ok(Self { prepared: Arc::clone(prepared), edge_triangles, places, scale, measure })
+        Ok(Self { prepared: Arc::clone(prepared), middle: middle.triangle(), edge_triangles, places, scale, measure })
     }
 
     /// The side.
@@ -68,10 +70,15 @@ impl Chart {
         Some(complex(corners.iter().zip(found.weights()).map(|(&v, w)| w * self.places[v as usize]).sum()))
     }
 
-    /// The inner point with this image, sought from a triangle nearby; `None` where the
-    /// image of the mesh is folded.
-    pub fn point(&self, image: Complex64, near: TriangleId) -> Option<InteriorPoint> {
-        self.locate(image, near).map(|found| self.position(found))
+    /// The triangle of the default point, from which walks begin where no nearer triangle is known: beside the boundary they
+    /// may begin among triangles that are folded by rounding, and find no way out.
+    pub fn middle(&self) -> TriangleId {
+        self.middle
+    }
+
+    /// The inner point with this image; `None` where the image of the mesh is folded.
+    pub fn point(&self, image: Complex64) -> Option<InteriorPoint> {
+        self.locate(image, self.middle).map(|found| self.position(found))
     }
 
     /// A point of the mesh as one of the side.
@@ -85,7 +92,8 @@ impl Chart {
         }
     }
 
-    /// The point of the mesh with this image; beside the circle, one of the boundary.
+    /// The point of the mesh with this image, sought from a triangle nearby, then from the middle; beside the circle, one of
+    /// the boundary.
     pub fn locate(&self, image: Complex64, near: TriangleId) -> Option<BarycentricPoint> {
         if image.norm() > 1.0 - RIM {
             return Some(self.on_boundary(image));
@@ -95,7 +103,8 @@ impl Chart {
             SideGeometry::Space(surface) => (surface.mesh().triangles(), surface.mesh().neighbours()),
         };
         let layout = DiskLayout { triangles, neighbours, places: &self.places };
-        layout.locate(DVec2::new(image.re, image.im), near, &mut 0)
+        let from = |start: TriangleId| layout.locate(DVec2::new(image.re, image.im), start, &mut 0);
+        from(near).or_else(|| if near == self.middle { None } else { from(self.middle) })
     }
 
     fn on_boundary(&self, image: Complex64) -> BarycentricPoint {
@@ -121,6 +130,11 @@ impl Chart {
         let corners = self.prepared.triangles()[triangle];
         let place = corners.iter().map(|&v| self.places[v as usize]).sum::<DVec2>() / 3.0;
         (complex(place), corners.iter().map(|&v| self.scale[v as usize]).sum::<f64>() / 3.0)
+    }
+
+    /// The images of a triangle's corners.
+    pub fn at_corners(&self, triangle: usize) -> [Complex64; 3] {
+        self.prepared.triangles()[triangle].map(|v| complex(self.places[v as usize]))
     }
 
     /// The positions of a triangle's corners; the plane lies at z = 0.

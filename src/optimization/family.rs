@@ -20,6 +20,14 @@ use num_complex::Complex64;
 /// fewer than four digits to a Möbius map's scale.
 const LEAST_DISTANCE: f64 = 1e-11;
 
+/// Of a triangle whose image in the disk has at least this height, area and corners have two digits: positions are solved for
+/// to 1e-14.
+const LEAST_HEIGHT: f64 = 1e-12;
+
+/// A map for which more than this share of the weight has no place on the other side has no value: its criterion would be
+/// that of the rest, and walks that find nothing take a hundred times as long as others.
+const MOST_MISSING: f64 = 0.05;
+
 /// A point whose image is farther than this from the middle is replaced by one half way where it is the point that stays.
 const FAR: f64 = 0.98;
 
@@ -35,24 +43,46 @@ pub struct Family {
 /// Triangles of a side, each with the last triangle of the other side in which its image was found.
 #[derive(Debug, Clone, Default)]
 pub struct Nodes {
-    nodes: Vec<Node>,
+    all: Vec<Node>,
+    /// Of all of them.
+    weight: f64,
     scales: Scales,
 }
 
 #[derive(Debug, Clone)]
 struct Node {
     image: Complex64,
-    scale: f64,
+    size: Size,
     weight: f64,
     near: TriangleId,
     /// The images of the places to which the side's symmetries move it, each with the last triangle as above.
     moved: Vec<Option<(Complex64, TriangleId)>>,
 }
 
+/// How a triangle's scale under T ∘ g is found.
+#[derive(Debug, Clone, Copy)]
+enum Size {
+    /// By the corners of its image under g and ln of its own area: as the scale is measured on a map, also where the mesh is
+    /// too coarse for ln |g′|.
+    Corners([Complex64; 3], f64),
+    /// By ln |g′| at its middle: its image is too small for the digits of the disk.
+    Derivative(f64),
+}
+
+impl Node {
+    /// ln of the scale under T ∘ g.
+    fn scale(&self, map: &Moebius) -> f64 {
+        match self.size {
+            Size::Corners(corners, ln_area) => 0.5 * (map.area(corners).abs().ln() - ln_area),
+            Size::Derivative(scale) => scale + map.log_scale(self.image),
+        }
+    }
+}
+
 impl Nodes {
     /// Whether there is nothing to sum over.
     pub fn is_empty(&self) -> bool {
-        self.nodes.is_empty()
+        self.all.is_empty()
     }
 }
 
@@ -66,6 +96,7 @@ impl Family {
     /// Triangles that stand for all, about `most` of them at most.
     pub fn nodes(&self, most: usize) -> Nodes {
         let chart = &self.charts[self.side];
+        let start = self.charts[self.side.other()].middle();
         let weighted = chart.triangles().map(|(t, area)| {
             let share = self.criterion.region().map_or(1.0, |region| region.share(chart.corners(t)));
             (t, share * area)
@@ -73,13 +104,15 @@ impl Family {
         let nodes = thinned(weighted.filter(|(_, weight)| *weight > 0.0).collect(), most);
         let node = |(t, weight)| {
             let (image, scale) = chart.at_middle(t);
+            let size = size_in_disk(chart, t).unwrap_or(Size::Derivative(scale));
             let motions = self.criterion.symmetries().into_iter().flat_map(SharedSymmetries::motions);
-            let middle = chart.corners(t).into_iter().sum::<DVec3>().truncate() / 3.0;
-            let moved = motions.map(|motion| Some((chart.image(motion.moved(middle).into())?, TriangleId::new(0))));
+            let place = chart.corners(t).into_iter().sum::<DVec3>().truncate() / 3.0;
+            let moved = motions.map(|motion| Some((chart.image(motion.moved(place).into())?, start)));
             let moved = moved.collect();
-            Node { image, scale, weight, near: TriangleId::new(0), moved }
+            Node { image, size, weight, near: start, moved }
         };
-        Nodes { nodes: nodes.into_iter().map(node).collect(), scales: Scales::default() }
+        let all: Vec<Node> = nodes.into_iter().map(node).collect();
+        Nodes { weight: all.iter().map(|node| node.weight).sum(), all, scales: Scales::default() }
     }
 
     /// The criterion for the map with T from the source's disk onto the target's; infinite where it has none.
@@ -87,13 +120,22 @@ impl Family {
         let map = if self.side == Side::Source { *map } else { map.inverse() };
         let other = &self.charts[self.side.other()];
         nodes.scales.clear();
-        for node in &mut nodes.nodes {
-            let Some(found) = other.locate(map.image(node.image), node.near) else { continue };
+        let (mut missing, most_missing) = (0.0, MOST_MISSING * nodes.weight);
+        for node in &mut nodes.all {
+            let Some(found) = other.locate(map.image(node.image), node.near) else {
+                node.near = other.middle();
+                missing += node.weight;
+                if missing > most_missing {
+                    return f64::INFINITY;
+                }
+                nodes.scales.miss(node.weight);
+                continue;
+            };
             node.near = found.triangle();
-            nodes.scales.push(node.scale + map.log_scale(node.image) - other.scale(found), node.weight);
+            nodes.scales.push(node.scale(&map) - other.scale(found), node.weight);
         }
         let value = self.criterion.of(&mut nodes.scales).unwrap_or(f64::INFINITY);
-        value + self.criterion.symmetries().map_or(0.0, |shared| mismatch(shared, &mut nodes.nodes, other, &map))
+        value + self.criterion.symmetries().map_or(0.0, |shared| mismatch(shared, &mut nodes.all, other, &map))
     }
 
     /// T of the map with these constraints; `None` if a point is not inside of its side's mesh.
@@ -134,7 +176,7 @@ impl Family {
             return stays;
         }
         let half = Moebius::half_way(onto(side).inverse().image(Complex64::ZERO));
-        Staying { at: half, point: self.charts[side].point(half, TriangleId::new(0)), ..stays }
+        Staying { at: half, point: self.charts[side].point(half), ..stays }
     }
 
     /// The constraints of the map with T; `None` if its moving point is next to the boundary.
@@ -142,7 +184,7 @@ impl Family {
         let (side, other) = (stays.side, stays.side.other());
         let onto = if side == Side::Source { *map } else { map.inverse() };
         let image = Some(onto.image(stays.at)).filter(|image| image.norm() < 1.0 - LEAST_DISTANCE)?;
-        let (fixed, moving) = (stays.point?, self.charts[other].point(image, TriangleId::new(0))?);
+        let (fixed, moving) = (stays.point?, self.charts[other].point(image)?);
         let anchor = self.charts.target.fraction(map.apply(self.charts.source.on_circle(stays.anchor)));
         let points = PerSide::from_fn(|at| if at == side { fixed } else { moving });
         Some(Constraints::new((points.source, stays.anchor), (points.target, anchor)))
@@ -153,7 +195,7 @@ impl Family {
         let place = |side: Side| {
             let chart = &self.charts[side];
             let [a, b] = [from, to].map(|at| chart.image(at.points[side]));
-            let point = chart.point(Moebius::along(a?, b?, t)?, TriangleId::new(0))?;
+            let point = chart.point(Moebius::along(a?, b?, t)?)?;
             let [a, b] = [from, to].map(|at| chart.on_circle(at.anchors[side]));
             Some((point, chart.fraction(a * Complex64::from_polar(1.0, t * (b / a).arg()))))
         };
@@ -168,6 +210,16 @@ impl Family {
         let before = Moebius::turn((map.inverse().apply(at.target) / at.source).arg());
         [after.after(map), map.after(&before)]
     }
+}
+
+/// The corners of a triangle in the disk and ln of its area; `None` where they are too close to each other.
+fn size_in_disk(chart: &Chart, triangle: usize) -> Option<Size> {
+    let corners = chart.at_corners(triangle);
+    let [a, b, c] = chart.corners(triangle);
+    let area = 0.5 * (b - a).cross(c - a).length();
+    let longest = (0..3).map(|k| (corners[k] - corners[(k + 1) % 3]).norm()).fold(0.0, f64::max);
+    let height = 2.0 * Moebius::turn(0.0).area(corners).abs() / longest;
+    (height > LEAST_HEIGHT && area > 0.0).then(|| Size::Corners(corners, area.ln()))
 }
 
 /// The mismatch of the map with T from the nodes' disk onto the other side's.

@@ -9,13 +9,14 @@
 //! | `criterion` | what is minimized, measured on a map |
 //! | `chart` | a side in the unit disk, with the scale of its map there |
 //! | `family` | T ↔ constraints, and the criterion of T in closed form |
-//! | `simplex` | the downhill simplex |
+//! | `simplex`, `descent` | the downhill simplex, and over Möbius maps |
 //! | `search` | scan, descents, polish, in steps with a deadline |
 //! | `landscape` | the criterion as a function of x₁ |
 //! | `region`, `statistics`, `symmetry` | where, and of what |
 
 mod chart;
 mod criterion;
+mod descent;
 mod family;
 mod landscape;
 mod region;

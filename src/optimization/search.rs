@@ -1,22 +1,21 @@
 //! The search for the best map of a family, in steps.
 //!
 //! 1. **Scan**: maps that take points spread over one side's area to the other side's default point, under turns, in closed
-//!    form on a few hundred triangles. 2. **Descent** from the best of them and from the start, by a downhill simplex in
-//!    (turn, Re a, Im a) of a small Möbius map before T. 3. **Fit**: the best of these on many triangles. 4. **Polish**: the
-//!    same on the map itself, whose criterion is measured as it is for the start. Last, whether the boundary points may
-//!    stay as they were.
+//!    form on a few hundred triangles. 2. **Descent** from the best of them and from the start (`descent`). 3. **Fit**: the
+//!    same from the best ends that are apart, on many triangles. 4. **Comparison** of the maps at the ends of the fits, whose
+//!    criterion is measured as it is for the start. 5. **Polish** of the best: a descent on the map itself. Last, whether the
+//!    boundary points may stay as they were.
 //!
 //! Guaranteed: the result is never worse than the start, both measured on the map; the same input gives the same result, bit
 //! for bit, however it is divided into steps. Not guaranteed: that no better map exists where the scan has no place near it.
 
 use super::chart::Chart;
+use super::descent::{Descent, Descents, MOST_DESCENT};
 use super::family::{Family, Nodes, Staying};
-use super::simplex::Simplex;
 use super::{Criterion, OptimizeError};
 use crate::conformal::{
     ConformalMap, Constraints, Direction, MapError, MapSettings, Moebius, PerSide, PreparedSide, Side,
 };
-use crate::geometry::DVec3;
 use crate::laplace::Deadline;
 use num_complex::Complex64;
 use std::collections::VecDeque;
@@ -37,22 +36,24 @@ const TURNS: u32 = 12;
 const DESCENTS: usize = 6;
 const APART: f64 = 0.5;
 
-/// First and last size of the simplex in closed form; sizes are distances in the disk, where 1 moves the middle to 0.46.
+/// Fits, from ends of descents that differ as much: on a cow's head the end that is best on few triangles is the worse valley.
+const FITS: usize = 3;
+
+/// First size of the simplex in descents and in fits.
 const STEP: f64 = 0.3;
-const SMALL: f64 = 1e-3;
-/// The same for the map itself: near enough for four digits of the minimum, whose value changes with the square.
+const FIT_STEP: f64 = 0.25 * STEP;
+/// First and last size for the map itself: near enough for four digits of the minimum, whose value changes with the square.
 const POLISH_STEP: f64 = 0.08;
 const POLISH_SMALL: f64 = 2e-3;
 
-/// The most values of a descent.
-const MOST_DESCENT: usize = 120;
 /// The most values on the map itself of a mesh with [`USUAL`] vertices; on a larger one fewer, but [`LEAST_POLISH`].
 const MOST_POLISH: usize = 150;
 const LEAST_POLISH: usize = 80;
 const USUAL: usize = 8000;
 
-/// Boundary points that need not move stay, if that costs no more than this share of the criterion.
-const NEGLIGIBLE: f64 = 1e-3;
+/// Boundary points that need not move stay, if that costs no more than this share of the criterion: on a mesh of a face it
+/// costs 1.2e-4 and the map would be worse than by the best Möbius transformation, on a cow's head 2e-6.
+const NEGLIGIBLE: f64 = 1e-4;
 /// Values that differ by less are equal: those of a disk onto a disk, which is 0 up to the mesh's error squared.
 const ROUNDING: f64 = 1e-7;
 
@@ -75,8 +76,9 @@ enum Stage {
     Begin,
     Chart(Option<Chart>),
     Scan(Scan),
-    Descend(Descent),
-    Fit(Descent),
+    Descend(Descents),
+    Fit(Descents),
+    Compare(Comparison),
     Polish(Descent),
     Keep(VecDeque<Constraints>),
     Done,
@@ -89,15 +91,10 @@ struct Scan {
     tried: Vec<(f64, Moebius)>,
 }
 
-/// A descent from a map, and the maps from which others are still to be made.
+/// Ends of descents that are still to be measured as maps, and the best one that was.
 #[derive(Debug)]
-struct Descent {
-    from: Moebius,
-    /// Takes the point of the source's disk about which small maps turn, half way between the middles, to 0.
-    middle: Moebius,
-    simplex: Simplex,
-    count: usize,
-    coming: VecDeque<(f64, Moebius)>,
+struct Comparison {
+    coming: VecDeque<Moebius>,
     best: (f64, Moebius),
 }
 
@@ -193,8 +190,9 @@ impl Optimization {
                 let tried = scan.tried.len() as f64;
                 of(0.05, 0.4, tried / (tried + scan.coming.len() as f64))
             }
-            Stage::Descend(descent) => of(0.4, 0.6, 1.0 - (descent.coming.len() as f64 + 0.5) / DESCENTS as f64),
-            Stage::Fit(descent) => of(0.6, 0.7, descent.count as f64 / MOST_DESCENT as f64),
+            Stage::Descend(descents) => of(0.4, 0.55, descents.share()),
+            Stage::Fit(descents) => of(0.55, 0.69, descents.share()),
+            Stage::Compare(_) => 0.7,
             Stage::Polish(descent) => of(0.7, 0.98, descent.count as f64 / MOST_POLISH as f64),
             Stage::Keep(_) => 0.99,
             Stage::Done => 1.0,
@@ -222,8 +220,9 @@ impl Optimization {
             Stage::Begin => self.begin(deadline)?,
             Stage::Chart(source) => self.chart(source)?,
             Stage::Scan(scan) => self.scan(scan),
-            Stage::Descend(descent) => self.descend(descent),
-            Stage::Fit(descent) => self.fit(descent),
+            Stage::Descend(descents) => self.descend(descents),
+            Stage::Fit(descents) => self.fit(descents),
+            Stage::Compare(comparison) => self.compare(comparison, deadline),
             Stage::Polish(descent) => self.polish(descent, deadline),
             Stage::Keep(coming) => self.keep(coming, deadline),
             Stage::Done => Stage::Done,
@@ -263,42 +262,62 @@ impl Optimization {
             scan.tried.push((value, map));
             return Stage::Scan(scan);
         }
-        let mut coming = apart(scan.tried);
-        coming
-            .pop_front()
-            .map_or(Stage::Keep(VecDeque::new()), |best| Stage::Descend(Descent::new(best, STEP, SMALL, coming)))
+        let start = scan.tried.first().copied();
+        Descents::new(apart(scan.tried, DESCENTS, start), STEP).map_or(Stage::Keep(VecDeque::new()), Stage::Descend)
     }
 
-    fn descend(&mut self, mut descent: Descent) -> Stage {
-        if let Some(map) = descent.question(MOST_DESCENT) {
-            let value = self.closed_form(&map);
-            self.note(value);
-            descent.answer(value);
-            return Stage::Descend(descent);
+    fn descend(&mut self, mut descents: Descents) -> Stage {
+        if self.is_lower(&mut descents, STEP) {
+            return Stage::Descend(descents);
         }
-        if let Some(next) = descent.coming.pop_front() {
-            let Descent { best, coming, .. } = descent;
-            return Stage::Descend(Descent { best, ..Descent::new(next, STEP, SMALL, coming) });
-        }
-        let best = descent.best.1;
         let many = if self.criterion.symmetries().is_some() { MANY_MOVED } else { MANY };
         let Some((family, nodes)) = &mut self.family else { return Stage::Done };
         *nodes = family.nodes(many);
-        let value = self.closed_form(&best);
-        Stage::Fit(Descent::new((value, best), 0.25 * STEP, SMALL, VecDeque::new()))
+        // among more triangles the values are others
+        let best = apart(descents.ended, FITS, None).into_iter().map(|(_, map)| (f64::INFINITY, map));
+        Descents::new(best.collect(), FIT_STEP).map_or(Stage::Keep(VecDeque::new()), Stage::Fit)
     }
 
-    fn fit(&mut self, mut descent: Descent) -> Stage {
-        if let Some(map) = descent.question(MOST_DESCENT) {
+    fn fit(&mut self, mut descents: Descents) -> Stage {
+        if self.is_lower(&mut descents, FIT_STEP) {
+            return Stage::Fit(descents);
+        }
+        self.least = f64::INFINITY;
+        let ends = apart(descents.ended, FITS, None);
+        let Some(&best) = ends.front() else { return Stage::Keep(VecDeque::new()) };
+        Stage::Compare(Comparison {
+            coming: ends.into_iter().map(|(_, map)| map).collect(),
+            best: (f64::INFINITY, best.1),
+        })
+    }
+
+    /// Takes one value of a descent, or goes to the next one; false after the last.
+    fn is_lower(&mut self, descents: &mut Descents, step: f64) -> bool {
+        if let Some(map) = descents.now.question(MOST_DESCENT) {
             let value = self.closed_form(&map);
             self.note(value);
-            descent.answer(value);
-            return Stage::Fit(descent);
+            descents.now.answer(value);
+            return true;
         }
-        let best = descent.best.1;
-        self.staying = self.family.as_ref().map(|(family, _)| family.staying(&self.start, &best));
-        self.least = f64::INFINITY;
-        Stage::Polish(Descent::new((f64::INFINITY, best), POLISH_STEP, POLISH_SMALL, VecDeque::new()))
+        descents.next(step)
+    }
+
+    /// Measures the map of one end.
+    fn compare(&mut self, mut ends: Comparison, deadline: Deadline) -> Stage {
+        let Some(&map) = ends.coming.front() else {
+            self.staying = self.family.as_ref().map(|(family, _)| family.staying(&self.start, &ends.best.1));
+            return Stage::Polish(Descent::new((f64::INFINITY, ends.best.1), POLISH_STEP, POLISH_SMALL));
+        };
+        let family = self.family.as_ref().map(|(family, _)| family);
+        let at = family.and_then(|family| family.constraints(&map, &family.staying(&self.start, &map)));
+        let Some(value) = at.map_or(Some(f64::INFINITY), |at| self.measured(&at, deadline)) else {
+            return Stage::Compare(ends);
+        };
+        ends.coming.pop_front();
+        if value < ends.best.0 {
+            ends.best = (value, map);
+        }
+        Stage::Compare(ends)
     }
 
     fn polish(&mut self, mut descent: Descent, deadline: Deadline) -> Stage {
@@ -388,56 +407,20 @@ fn candidates(family: &Family, start: &Constraints) -> VecDeque<Moebius> {
     maps
 }
 
-/// The best maps that are apart from each other, and the first one, best first.
-fn apart(tried: Vec<(f64, Moebius)>) -> VecDeque<(f64, Moebius)> {
-    let start = tried.first().copied();
+/// The best maps that are apart from each other, up to `most`, and `besides`, best first.
+fn apart(tried: Vec<(f64, Moebius)>, most: usize, besides: Option<(f64, Moebius)>) -> VecDeque<(f64, Moebius)> {
     let mut sorted = tried;
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut chosen: Vec<(f64, Moebius)> = Vec::new();
+    let mut chosen: VecDeque<(f64, Moebius)> = VecDeque::new();
     for candidate in sorted.into_iter().filter(|candidate| candidate.0.is_finite()) {
-        if chosen.len() >= DESCENTS {
+        if chosen.len() >= most {
             break;
         }
         if chosen.iter().all(|known| known.1.distance(&candidate.1) > APART) {
-            chosen.push(candidate);
+            chosen.push_back(candidate);
         }
     }
-    let is_new = |start: &(f64, Moebius)| start.0.is_finite() && !chosen.contains(start);
-    let start = start.filter(is_new);
-    chosen.into_iter().chain(start).collect()
-}
-
-impl Descent {
-    fn new(from: (f64, Moebius), step: f64, small: f64, coming: VecDeque<(f64, Moebius)>) -> Self {
-        let simplex = Simplex::new((DVec3::ZERO, from.0), step, small);
-        let half = Moebius::half_way(from.1.inverse().image(Complex64::ZERO));
-        let middle = Moebius::to_middle(half).unwrap_or(Moebius::turn(0.0));
-        Self { from: from.1, middle, simplex, count: 0, coming, best: from }
-    }
-
-    /// The map with the small one at a place of the simplex within.
-    fn map(&self, place: DVec3) -> Option<Moebius> {
-        let DVec3 { x: turn, y, z } = place;
-        let length = y.hypot(z);
-        let a = if length > 0.0 { Complex64::new(y, z) * ((0.5 * length).tanh() / length) } else { Complex64::ZERO };
-        let within = self.middle.inverse().after(&Moebius::small(turn, a)?).after(&self.middle);
-        Some(self.from.after(&within))
-    }
-
-    /// The map whose value is wanted next; `None`: the simplex is small, or `most` values were taken.
-    fn question(&self, most: usize) -> Option<Moebius> {
-        if self.count >= most {
-            return None;
-        }
-        self.map(self.simplex.question()?)
-    }
-
-    fn answer(&mut self, value: f64) {
-        self.count += 1;
-        let map = self.simplex.question().and_then(|place| self.map(place));
-        if let Some(map) = map.filter(|_| value < self.best.0) {
-            self.best = (value, map);
-        }
-        self.simplex.answer(value);
-    }
+    let besides = besides.filter(|map| map.0.is_finite() && !chosen.contains(map));
+    chosen.extend(besides);
+    chosen
 }

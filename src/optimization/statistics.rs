@@ -4,15 +4,24 @@
 pub const LEFT_OUT: f64 = 0.01;
 
 /// ln of the local scale |f′| at places of a domain, with their weights (areas, ≥ 0).
+///
+/// Places whose scale is not known count as those that are farthest from the others, so that no statistic is better for them.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Scales {
     values: Vec<(f64, f64)>,
+    missing: f64,
 }
 
 impl Scales {
     /// Drops all values.
     pub fn clear(&mut self) {
         self.values.clear();
+        self.missing = 0.0;
+    }
+
+    /// Adds a place whose scale is not known.
+    pub fn miss(&mut self, weight: f64) {
+        self.missing += weight;
     }
 
     /// Adds a value; one without weight, or not finite, is left out.
@@ -31,17 +40,20 @@ impl Scales {
     pub fn variance(&self) -> Option<f64> {
         let total = self.weight();
         let mean = self.values.iter().map(|(value, weight)| weight * value).sum::<f64>() / total;
-        let squares = self.values.iter().map(|(value, weight)| weight * (value - mean) * (value - mean)).sum::<f64>();
-        Some(4.0 * squares / total).filter(|variance| variance.is_finite())
+        let deviations = self.values.iter().map(|(value, weight)| ((value - mean) * (value - mean), weight));
+        let (squares, largest) =
+            deviations.fold((0.0, 0.0_f64), |(sum, largest), (off, weight)| (sum + weight * off, largest.max(off)));
+        Some(4.0 * (squares + self.missing * largest) / (total + self.missing)).filter(|variance| variance.is_finite())
     }
 
     /// The ratio of the largest to the least scale after [`LEFT_OUT`] of the weight at either end. `None` without weight.
     /// Sorts the values.
     pub fn spread(&mut self) -> Option<f64> {
-        let total = self.weight();
+        let known = self.weight();
+        let left_out = (LEFT_OUT * (known + self.missing) - self.missing).max(0.0);
         self.values.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let low = self.quantile(LEFT_OUT * total)?;
-        Some((self.quantile((1.0 - LEFT_OUT) * total)? - low).exp())
+        let low = self.quantile(left_out)?;
+        Some((self.quantile(known - left_out)? - low).exp())
     }
 
     /// The sorted value at which this weight from below is reached.
@@ -86,6 +98,20 @@ mod tests {
         let mut scales = Scales::default();
         values.into_iter().for_each(|(value, weight)| scales.push(value, weight));
         scales
+    }
+
+    #[test]
+    fn places_without_a_scale_make_no_statistic_better() {
+        let mut known = scales((0..1000).map(|k| (f64::from(k) / 1000.0, 1.0)));
+        let mut before = (known.variance().unwrap(), known.spread().unwrap());
+        for missing in [1.0, 5.0, 50.0] {
+            known.miss(missing);
+            let after = (known.variance().unwrap(), known.spread().unwrap());
+            assert!(after.0 > before.0 && after.1 >= before.1, "{after:?} after {before:?}");
+            before = after;
+        }
+        known.clear();
+        assert_eq!(known, Scales::default());
     }
 
     #[test]

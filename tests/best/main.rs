@@ -6,21 +6,33 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod by_hand;
 #[cfg(feature = "app")]
 mod command_line;
+#[cfg(feature = "io")]
 mod shared_data;
 mod through_disk;
 
-use riemap::conformal::{ConformalMap, Constraints, Direction, PerSide, PrepareSettings, PreparedSide, Side};
+use riemap::conformal::{ConformalMap, Constraints, Direction, PerSide, PrepareSettings, PreparedSide};
 use riemap::geometry::{DVec2, Symmetries};
 use riemap::laplace::Deadline;
 use riemap::optimization::{Criterion, Dab, Found, Optimization, OptimizeError, Region, SharedSymmetries};
-use riemap::outline::Preset;
+use riemap::outline::{Preset, Sampling};
 use std::sync::Arc;
 use std::time::Instant;
 
+/// At least as good, up to the digits in which values of the criterion differ with the rounding of a map's points.
+const AS_GOOD: f64 = 1.0 + 1e-5;
+
 fn outline(preset: Preset) -> Arc<PreparedSide> {
     support::domains::domain(preset, PrepareSettings::default())
+}
+
+/// With a mesh that is enough to tell maps apart.
+fn coarse(preset: Preset) -> Arc<PreparedSide> {
+    let mut settings = PrepareSettings::default();
+    settings.sampling = Sampling::Adaptive { target: Some(200) };
+    support::domains::domain(preset, settings)
 }
 
 fn search(
@@ -50,8 +62,8 @@ fn best(sides: &PerSide<Arc<PreparedSide>>, criterion: Criterion, start: &Constr
 }
 
 fn measured(sides: &PerSide<Arc<PreparedSide>>, criterion: &Criterion, at: &Constraints, direction: Direction) -> f64 {
-    let map = ConformalMap::new(Arc::clone(&sides.source), Arc::clone(&sides.target), at, direction.into()).unwrap();
-    criterion.measure(&map).unwrap()
+    let map = ConformalMap::new(Arc::clone(&sides.source), Arc::clone(&sides.target), at, direction.into());
+    map.ok().and_then(|map| criterion.measure(&map)).unwrap_or(f64::INFINITY)
 }
 
 fn defaults(sides: &PerSide<Arc<PreparedSide>>) -> Constraints {
@@ -68,36 +80,34 @@ fn outlines_onto_the_disk_are_mapped_as_well_as_by_the_best_moebius_transformati
         let sides = PerSide::new(Arc::clone(&source), outline(Preset::Disk));
         let found = best(&sides, Criterion::Area, &defaults(&sides), Direction::Forward);
         println!("{preset:?}: {:.6}, through the disk {baseline:.6}", found.after);
-        assert!(found.after <= baseline * 1.01 && found.after <= found.before);
+        assert!(found.after <= baseline * 1.003 && found.after <= found.before);
         // the same transformation, measured as maps are: no error of meshes in between
         let x2 = through_disk::point_of(a, &sides.target);
         let at = Constraints::new((sides.source.default_point(), 0.0), (x2, 0.0));
         let same = measured(&sides, &Criterion::Area, &at, Direction::Forward);
         println!("{preset:?}: {same:.6}, measured on the map");
-        assert!(found.after <= same * 1.003);
+        assert!(found.after <= same * AS_GOOD);
     }
 }
 
-/// Onto other outlines no grid of starts leads to a better map.
+/// Onto other outlines: all three degrees of freedom on a grid, and from its best maps that are apart down to where no step
+/// leads lower, all measured on the map. The search takes none of these steps.
 #[test]
 fn no_start_leads_to_a_better_map() {
     for (presets, direction) in [
         ([Preset::Heart, Preset::LShape], Direction::Forward),
-        ([Preset::Star, Preset::Cinquefoil], Direction::Backward),
+        ([Preset::Blob, Preset::Gingerbread], Direction::Backward),
     ] {
-        let sides = PerSide::from(presets.map(outline));
+        let sides = PerSide::from(presets.map(coarse));
         for criterion in [Criterion::Area, Criterion::Scale] {
             let found = best(&sides, criterion.clone(), &defaults(&sides), direction);
             let again = measured(&sides, &criterion, &found.constraints, direction);
             assert!((again - found.after).abs() < 1e-9 * again, "{again} is measured, {} was said", found.after);
-            let boundary = (0..24).map(|k| f64::from(k) / 24.0);
-            let least = boundary
-                .map(|anchor| {
-                    measured(&sides, &criterion, &defaults(&sides).with_anchor(Side::Target, anchor), direction)
-                })
-                .fold(f64::INFINITY, f64::min);
-            println!("{presets:?}: the best turn of the default points has {least:.6}");
-            assert!(found.after <= least + 1e-9);
+            let ends = by_hand::ends(&sides, &criterion, direction);
+            println!("{presets:?}: steps from a grid end at {ends:?}");
+            let least = ends.iter().copied().fold(f64::INFINITY, f64::min);
+            // four digits, to which the map is polished
+            assert!(found.after <= least * (1.0 + 1e-3), "{} found, {least} by hand", found.after);
         }
     }
 }
@@ -105,7 +115,7 @@ fn no_start_leads_to_a_better_map() {
 /// A region's areas are kept better than by the map that is best for the whole, and the rest is worse.
 #[test]
 fn a_region_is_mapped_better_than_by_the_best_map_of_the_whole() {
-    let sides = PerSide::from([Preset::Gingerbread, Preset::Disk].map(outline));
+    let sides = PerSide::from([Preset::Gingerbread, Preset::Disk].map(coarse));
     let middle = sides.source.default_point().in_plane().unwrap() + DVec2::new(0.0, -0.15);
     let dab = Dab { middle: middle.extend(0.0), radius: 0.2 };
     let region = Criterion::Region(Arc::new(Region::of_dabs(vec![dab])));
@@ -121,11 +131,10 @@ fn a_region_is_mapped_better_than_by_the_best_map_of_the_whole() {
     assert_eq!(search(&sides, nowhere, &defaults(&sides), Direction::Forward), Err(OptimizeError::EmptyRegion));
 }
 
-/// However the work is divided, the result is the same to the bit. In this crowded domain nothing better than the start is
-/// found: places of the V's tip round to the circle.
+/// However the work is divided, the result is the same to the bit.
 #[test]
 fn in_pieces_the_result_is_the_same() {
-    let sides = PerSide::from([Preset::VShape, Preset::Blob].map(outline));
+    let sides = PerSide::from([Preset::Heart, Preset::Blob].map(coarse));
     let start = defaults(&sides);
     let (whole, count) = search(&sides, Criterion::Area, &start, Direction::Backward).unwrap();
     let mut pieces = Optimization::new(sides, Criterion::Area, start, Direction::Backward.into());
@@ -139,10 +148,21 @@ fn in_pieces_the_result_is_the_same() {
     assert!(pieces.course().windows(2).all(|pair| pair[0].0 <= pair[1].0));
 }
 
+/// Places of the V's tip round to the circle, where walks among triangles without area may not end. Walks that begin there
+/// found no way out: no map had constraints, and the search took 13 s.
+#[test]
+fn in_a_crowded_domain_a_better_map_is_found_soon() {
+    let sides = PerSide::from([Preset::VShape, Preset::Blob].map(outline));
+    let begin = Instant::now();
+    let found = best(&sides, Criterion::Area, &defaults(&sides), Direction::Backward);
+    assert!(found.after < 0.8 * found.before, "{found:?}");
+    assert!(begin.elapsed().as_secs_f64() < 10.0, "2 s without load");
+}
+
 /// A start that is the best map already stays as it is.
 #[test]
 fn the_best_map_is_not_made_worse() {
-    let sides = PerSide::from([Preset::Heart, Preset::Disk].map(outline));
+    let sides = PerSide::from([Preset::Heart, Preset::Disk].map(coarse));
     let first = best(&sides, Criterion::Area, &defaults(&sides), Direction::Forward);
     let again = best(&sides, Criterion::Area, &first.constraints, Direction::Forward);
     assert!(again.after <= again.before && again.before == first.after, "{first:?}, then {again:?}");
@@ -163,11 +183,9 @@ fn shared_symmetries_are_kept() {
         let sides = PerSide::from(presets.map(outline));
         let [x1, x2] = sides.as_ref().map(|side| side.default_point().in_plane().unwrap()).into_array();
         let start = Constraints::new((x1 + DVec2::new(0.11, 0.07), 0.13), (x2, 0.31));
-        for direction in [Direction::Forward, Direction::Backward] {
-            let found = best(&sides, symmetry.clone(), &start, direction);
-            println!("{presets:?}: {:.2e}", found.after);
-            assert!(found.after < most && found.after < 0.2 * found.before);
-        }
+        let found = best(&sides, symmetry, &start, Direction::Forward);
+        println!("{presets:?}: {:.2e}", found.after);
+        assert!(found.after < most && found.after < 0.2 * found.before);
     }
     let unlike = [Preset::LShape, Preset::Blob].map(|preset| Symmetries::of(preset.outline().polygon()));
     println!("{unlike:?}");

@@ -14,8 +14,8 @@ pub struct Disk(Vec<DVec2>);
 
 /// Circles and points on each, at distances up to 5 in the disk's own measure, and how often the neighborhood of the best
 /// is searched more finely.
-const CIRCLES: u32 = 20;
-const POINTS: u32 = 32;
+const CIRCLES: u32 = 12;
+const POINTS: u32 = 24;
 const FARTHEST: f64 = 5.0;
 const ROUNDS: u32 = 5;
 
@@ -53,8 +53,8 @@ impl Disk {
         let mut best = self.least(grid.collect(), &value);
         let mut step = FARTHEST / f64::from(CIRCLES) * (1.0 - best.1.length_squared());
         for _ in 0..ROUNDS {
-            let around = (-4..=4).flat_map(|i| (-4..=4).map(move |k| (i, k)));
-            let around = around.map(|(i, k)| best.1 + 0.25 * step * DVec2::new(f64::from(i), f64::from(k)));
+            let around = (-3..=3).flat_map(|i| (-3..=3).map(move |k| (i, k)));
+            let around = around.map(|(i, k)| best.1 + 0.34 * step * DVec2::new(f64::from(i), f64::from(k)));
             best = self.least(around.filter(|a| a.length() < 1.0).collect(), &value);
             step *= 0.4;
         }

@@ -56,6 +56,22 @@ fn it_is_found_by_one_button_and_taken_back_by_one_undo() {
     assert_eq!(harness.state().session(), &before);
 }
 
+/// From its first frame on, when the points are still where they were.
+#[test]
+fn one_undo_ends_the_motion_to_it_and_takes_back_nothing_before() {
+    let mut harness = ready_app([1200.0, 1100.0]);
+    harness.state_mut().model.dispatch(Command::MoveAnchor { side: Side::Source, fraction: 0.25 }, 0.0);
+    step_until(&mut harness, |app| app.stats().screen.undo == 1 && app.model.can_search());
+    let before = harness.state().session().clone();
+    for moved in [false, true] {
+        harness.get_by_label("Find it").click();
+        step_until(&mut harness, |app| app.model.best().is_moving() && (!moved || app.session() != &before));
+        harness.state_mut().undo();
+        step_until(&mut harness, |app| app.model.can_search() && app.stats().screen.undo == 1);
+        assert!(harness.state().session() == &before && !harness.state().model.best().is_moving());
+    }
+}
+
 #[test]
 fn a_click_on_the_landscape_moves_its_point_and_a_drag_of_the_brush_paints() {
     let mut harness = ready_app([1200.0, 1100.0]);

@@ -13,7 +13,7 @@ const HALF: f64 = 0.5;
 #[derive(Debug, Default)]
 pub(super) struct Mask {
     side: Weak<PreparedSide>,
-    region: Vec<Dab>,
+    region: Arc<Region>,
     triangles: Vec<bool>,
 }
 
@@ -22,19 +22,29 @@ impl Mask {
         &self.triangles
     }
 
-    fn new(side: &Arc<PreparedSide>, region: &[Dab]) -> Self {
-        let whole = Region::of_dabs(region.to_vec());
+    /// The region, if it is of these dabs.
+    pub fn region(&self, dabs: &[Dab]) -> Option<&Arc<Region>> {
+        Some(&self.region).filter(|region| region.dabs() == dabs)
+    }
+
+    fn new(side: &Arc<PreparedSide>, region: Arc<Region>) -> Self {
         let place = |v: u32| match side.geometry() {
             SideGeometry::Plane(domain) => domain.mesh().vertices()[v as usize].extend(0.0),
             SideGeometry::Space(surface) => surface.mesh().vertices()[v as usize],
         };
-        let is_inside = |corners: &[u32; 3]| whole.share(corners.map(place) as [DVec3; 3]) >= HALF;
-        let triangles = side.triangles().iter().map(is_inside);
-        Self { side: Arc::downgrade(side), region: region.to_vec(), triangles: triangles.collect() }
+        let is_inside = |corners: &[u32; 3]| region.share(corners.map(place) as [DVec3; 3]) >= HALF;
+        let triangles = side.triangles().iter().map(is_inside).collect();
+        Self { side: Arc::downgrade(side), region, triangles }
     }
 }
 
 impl Model {
+    /// The painted region, with the tree of its dabs: built once while it stays the same.
+    pub(super) fn painted_region(&self) -> Arc<Region> {
+        let dabs = self.session.region();
+        self.best.mask.region(dabs).cloned().unwrap_or_else(|| Arc::new(Region::of_dabs(dabs.to_vec())))
+    }
+
     /// Computes the mask anew if region or source have changed.
     pub(super) fn follow_region(&mut self) {
         let region = self.session.region();
@@ -43,8 +53,8 @@ impl Model {
             return;
         }
         let Some(side) = self.prepared(Side::Source) else { return };
-        if self.best.mask.side.as_ptr() != Arc::as_ptr(side) || self.best.mask.region != region {
-            self.best.mask = Mask::new(side, region);
+        if self.best.mask.side.as_ptr() != Arc::as_ptr(side) || self.best.mask.region(region).is_none() {
+            self.best.mask = Mask::new(side, self.painted_region());
         }
     }
 }

@@ -8,20 +8,22 @@ mod criterion;
 mod flight;
 mod mask;
 mod relief;
+mod sides;
 
 use crate::conformal::{Constraints, PerSide, PreparedSide, Side};
 use crate::geometry::DVec3;
 use crate::language::{Message, key};
 use crate::laplace::Deadline;
 use crate::model::Model;
-use crate::optimization::{Criterion, Dab, MOST_DABS, Optimization, Region};
+use crate::optimization::{Criterion, Dab, MOST_DABS, Optimization};
 use crate::session::{Command, Touched};
 use criterion::KnownSymmetries;
 use flight::{Flight, is_same_place};
 use mask::Mask;
 use relief::Relief;
 pub use relief::{Landscapes, Level};
-use std::sync::{Arc, Weak};
+use sides::KnownSides;
+use std::sync::Arc;
 
 /// The time of a frame for a search or a landscape, in ms: half of a frame at 60 Hz.
 const SLICE_MS: f64 = 8.0;
@@ -98,7 +100,7 @@ struct Search {
 pub struct BestMap {
     aim: Aim,
     /// The sides of the last search; its result is theirs.
-    sides: Option<PerSide<Weak<PreparedSide>>>,
+    sides: Option<KnownSides>,
     search: Option<Search>,
     /// The result of the last search, and its constraints.
     outcome: Option<(Outcome, Constraints)>,
@@ -217,7 +219,7 @@ impl Model {
             return;
         }
         let (Some(sides), Some(start)) = (self.both_sides(), self.constraints()) else { return };
-        let weak = sides.as_ref().map(Arc::downgrade);
+        let known = KnownSides::new(&sides);
         let settings = self.session.direction().into();
         let criterion = self.criterion();
         let best = &mut self.best;
@@ -227,7 +229,7 @@ impl Model {
             Err(error) => return best.error = Some(Message::from(&error)),
         };
         let optimization = Optimization::new(sides, criterion, start, settings);
-        (best.search, best.sides) = (Some(Search { aim: best.aim, optimization }), Some(weak));
+        (best.search, best.sides) = (Some(Search { aim: best.aim, optimization }), Some(known));
     }
 
     fn both_sides(&self) -> Option<PerSide<Arc<PreparedSide>>> {
@@ -255,6 +257,11 @@ impl Model {
         (commands, true)
     }
 
+    /// Ends the motion of the points to a result, where they are; returns whether there was one.
+    pub fn end_flight(&mut self) -> bool {
+        self.best.flight.take().is_some()
+    }
+
     /// Ends the motion of the points if the user moves them, undoes a step or changes a side meanwhile, and drops the result
     /// of another map.
     fn drop_disturbed(&mut self) {
@@ -271,10 +278,8 @@ impl Model {
     }
 
     fn has_sides_of_search(&self) -> bool {
-        let Some(sides) = &self.best.sides else { return false };
-        let is_same =
-            |side: Side| self.prepared(side).is_some_and(|prepared| sides[side].as_ptr() == Arc::as_ptr(prepared));
-        Side::BOTH.into_iter().all(is_same)
+        let now = self.both_sides().as_ref().map(KnownSides::new);
+        now.is_some() && self.best.sides == now
     }
 
     fn advance_search(&mut self, is_calm: bool) {
@@ -304,7 +309,7 @@ impl Model {
     /// Whether nothing has changed since a search began.
     fn is_of(&self, search: &Search) -> bool {
         let has_its_region = match search.optimization.criterion() {
-            Criterion::Region(region) => **region == Region::of_dabs(self.session.region().to_vec()),
+            Criterion::Region(region) => region.dabs() == self.session.region(),
             _ => true,
         };
         has_its_region
@@ -315,12 +320,13 @@ impl Model {
 
     /// The source's region with dabs at these places, `None` if they would change nothing; the plane lies at z = 0.
     pub fn region_with(&self, middles: impl IntoIterator<Item = DVec3>) -> Option<Vec<Dab>> {
-        let radius = f64::from(self.brush_radius()? as f32); // as dabs are rounded
+        let radius = self.brush_radius()?;
         let mut region = self.session.region().to_vec();
         for middle in middles {
-            let is_near = |dab: &Dab| dab.middle.distance(middle) < APART * radius && dab.radius >= radius;
+            let new = Dab { middle, radius }.rounded(); // as those that it is compared with
+            let is_near = |dab: &Dab| dab.middle.distance(new.middle) < APART * new.radius && dab.radius >= new.radius;
             if region.len() < MOST_DABS && !region.iter().any(is_near) {
-                region.push(Dab { middle, radius }.rounded());
+                region.push(new);
             }
         }
         (region.len() > self.session.region().len()).then_some(region)

@@ -4,12 +4,12 @@
 //! them has changed; while x₁ is dragged it stays.
 
 use super::SLICE_MS;
-use crate::conformal::{ConformalMap, Constraints, Direction, MeshedDomain, PerSide, PreparedSide, Side};
+use super::sides::KnownSides;
+use crate::conformal::{ConformalMap, Constraints, Direction, MeshedDomain, Side};
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;
 use crate::model::Model;
 use crate::optimization::{Criterion, Landscape};
-use std::sync::{Arc, Weak};
 
 /// Level lines, at equal steps of rank: a twelfth of the vertices lies between two of them.
 const LEVELS: usize = 11;
@@ -65,21 +65,13 @@ impl Landscapes {
 }
 
 /// What a landscape belongs to.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 struct Origin {
-    sides: PerSide<Weak<PreparedSide>>,
+    sides: KnownSides,
     criterion: Criterion,
     /// With x₁ of the source's default point.
     constraints: Constraints,
     direction: Direction,
-}
-
-impl PartialEq for Origin {
-    fn eq(&self, other: &Self) -> bool {
-        Side::BOTH.into_iter().all(|side| self.sides[side].ptr_eq(&other.sides[side]))
-            && (&self.criterion, self.constraints, self.direction)
-                == (&other.criterion, other.constraints, other.direction)
-    }
 }
 
 /// The landscape that is asked for, under way or complete.
@@ -112,8 +104,7 @@ impl Model {
             self.best.relief.complete = None;
             return false;
         };
-        let weak = sides.as_ref().map(Arc::downgrade);
-        let origin = Origin { sides: weak, criterion: criterion.clone(), constraints, direction };
+        let origin = Origin { sides: KnownSides::new(&sides), criterion: criterion.clone(), constraints, direction };
         if self.best.relief.origin.as_ref() != Some(&origin) {
             self.best.relief = Relief { is_asked: true, origin: Some(origin), ..Relief::default() };
             return true;

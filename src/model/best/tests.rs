@@ -132,6 +132,9 @@ fn a_region_is_painted_dab_by_dab_and_its_areas_are_kept() {
     let outcome = model.best().outcome().unwrap();
     assert!(outcome.aim == Aim::Region && outcome.after < outcome.before, "{outcome:?}");
     model.dispatch(outline(Side::Source, Preset::Heart), 0.0);
+    assert_eq!(model.session().region().len(), 3, "the outline may be refused");
+    assert!(model.requested().region().is_empty());
+    rest(&mut model);
     assert!(model.session().region().is_empty(), "it was painted on another outline");
 }
 

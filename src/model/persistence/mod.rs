@@ -258,10 +258,13 @@ impl Persistence {
     fn moves_in(&mut self, session: &Session) -> Vec<Command> {
         let (mut moves, mut pins) = (Vec::new(), None);
         self.missing.retain(|missing| {
-            let &MissingOutline { side, interior, anchor, .. } = missing;
+            let &MissingOutline { side, interior, anchor, ref region, .. } = missing;
             let is_there = missing.is_named(&session.domain(side).outline);
             if is_there {
                 moves.push(Command::PlacePoints { side, points: SidePoints::Outline { interior, anchor } });
+                if !region.is_empty() {
+                    moves.push(Command::SetRegion(region.clone()));
+                }
                 pins.clone_from(&missing.pins);
             }
             !is_there

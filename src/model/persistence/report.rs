@@ -56,8 +56,14 @@ mod tests {
             surface: SurfaceSpec { shape, ..SurfaceSpec::default() },
         });
         session.apply(Command::SetTexture(TextureKind::Image));
-        let missing =
-            MissingOutline { side: Side::Target, name: "long".into(), interior: None, anchor: 0.0, pins: None };
+        let missing = MissingOutline {
+            side: Side::Target,
+            name: "long".into(),
+            interior: None,
+            anchor: 0.0,
+            pins: None,
+            region: Vec::new(),
+        };
         let missing = [missing];
         assert_eq!(whole_link(&Session::default(), &missing), None, "a disk stands in");
         let report = link_report(&session, &link::encode(&session).unwrap(), &missing).unwrap().english();

@@ -171,6 +171,8 @@ fn with_missing() -> (Session, Decoded) {
     session.apply(Command::SetOutline { side, outline: notched() });
     session.apply(Command::MoveInterior { side, point: DVec2::new(0.25, -0.125).into() });
     session.apply(Command::MoveAnchor { side, fraction: 0.75 });
+    let dab = crate::optimization::Dab { middle: DVec2::splat(0.25).extend(0.0), radius: 0.125 };
+    session.apply(Command::SetRegion(vec![dab]));
     let decoded = link::decode(&link::encode(&session).unwrap().fragment).unwrap();
     assert_eq!(decoded.missing.len(), 1);
     (session, decoded)

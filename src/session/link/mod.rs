@@ -33,6 +33,7 @@ mod version2;
 use super::{OutOfRange, OutlineSpec, Session};
 use crate::conformal::{PerSide, PinError, Pins, Side};
 use crate::geometry::{DVec2, PolygonError};
+use crate::optimization::Dab;
 use curves::WiredCurve;
 pub(super) use envelope::{pack, unpack};
 use quantized::Quantized;
@@ -151,6 +152,8 @@ pub struct MissingOutline {
     pub anchor: f64,
     /// The pins to set once no outline is missing.
     pub pins: Option<Pins>,
+    /// The region painted on it, to set with its points.
+    pub region: Vec<Dab>,
 }
 
 impl MissingOutline {

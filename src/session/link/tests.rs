@@ -122,7 +122,14 @@ fn with_missing() -> Decoded {
     let interior = Some(DVec2::new(0.1, 0.2));
     Decoded {
         session,
-        missing: vec![MissingOutline { side: Side::Source, name: "long".into(), interior, anchor: 0.75, pins: None }],
+        missing: vec![MissingOutline {
+            side: Side::Source,
+            name: "long".into(),
+            interior,
+            anchor: 0.75,
+            pins: None,
+            region: Vec::new(),
+        }],
     }
 }
 
@@ -323,12 +330,16 @@ fn shares_are_told_with_two_digits_rounded_up() {
     assert_eq!(told, ["0", "0.0013", "0.50", "13", "100"].map(|number| format!("{number}\u{a0}%")));
 }
 
+/// An outline that a link only names.
+fn spike() -> OutlineSpec {
+    let spike = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
+    OutlineSpec::points("spike".into(), polygon(spike.map(DVec2::from).to_vec()))
+}
+
 #[test]
 fn an_outline_too_fine_for_16_bits_is_left_out() {
-    let spike = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
     let mut session = Session::default();
-    let polygon = polygon(spike.map(DVec2::from).to_vec());
-    set_outline(&mut session, Side::Target, OutlineSpec::points("spike".into(), polygon));
+    set_outline(&mut session, Side::Target, spike());
     let Encoded { fragment, left_out, .. } = encode(&session).unwrap();
     assert!(matches!(left_out[0].reason, NotCarried::NotSimple(_)), "{left_out:?}");
     assert_eq!(decode(&fragment).unwrap().missing[0].name, "spike");
@@ -475,6 +486,15 @@ fn the_painted_region_travels_in_a_section_that_may_be_skipped() {
     assert_eq!(decode(&link).unwrap().session, session);
     let text = crate::session::file::write(&session).unwrap();
     assert_eq!(crate::session::file::read(text.as_bytes()).unwrap(), session);
+    // it waits for an outline that is in a file, and belongs to the source
+    let with_file = |side: Side| {
+        let mut with_file = session.clone();
+        set_outline(&mut with_file, side, spike());
+        decode(&encode(&with_file).unwrap().fragment).unwrap()
+    };
+    let (source, target) = (with_file(Side::Source), with_file(Side::Target));
+    assert_eq!((source.missing[0].region.as_slice(), source.session.region()), (session.region(), [].as_slice()));
+    assert_eq!((target.missing[0].region.as_slice(), target.session.region()), ([].as_slice(), session.region()));
     let bytes = postcard::to_allocvec(&region::runs(&[dab(0.0, 0.0, -1.0)])).unwrap();
     let refused = with_section(version2::Section { number: 9, may_be_skipped: true, content: bytes });
     assert!(matches!(refused, Err(LinkError::OutOfRange(_))), "{refused:?}");

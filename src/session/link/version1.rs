@@ -161,7 +161,14 @@ impl Version1 {
                 WiredOutline::Preset(name) => (preset(&name)?, interior, anchor),
                 WiredOutline::Points { name, points } => (with_points(side, name, &points)?, interior, anchor),
                 WiredOutline::File { name } => {
-                    missing.push(MissingOutline { side, name: checked_name(name)?, interior, anchor, pins: None });
+                    missing.push(MissingOutline {
+                        side,
+                        name: checked_name(name)?,
+                        interior,
+                        anchor,
+                        pins: None,
+                        region: Vec::new(),
+                    });
                     (OutlineSpec::Preset(STAND_IN), None, 0.0)
                 }
             };

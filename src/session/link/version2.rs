@@ -154,6 +154,11 @@ impl Version2 {
             // not on a disk that stands in for an outline
             let pins = decoded.session.pins.take();
             decoded.missing.iter_mut().for_each(|outline| outline.pins.clone_from(&pins));
+            let is_painted = |outline: &&mut MissingOutline| outline.side == Side::Source;
+            let is_outline = decoded.session.surface(Side::Source).is_none();
+            if let Some(source) = decoded.missing.iter_mut().find(is_painted).filter(|_| is_outline) {
+                source.region = std::mem::take(&mut decoded.session.region);
+            }
         }
         Ok(decoded)
     }
