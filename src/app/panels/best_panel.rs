@@ -94,6 +94,14 @@ fn landscape(ui: &mut Ui, model: &Model, push: &mut dyn FnMut(BestAction)) {
     if box_.changed() {
         push(BestAction::Landscape(shown));
     }
+    if shown && model.best().landscape().is_none() {
+        let awaited = if model.can_search() || model.best().progress().is_some() {
+            key::computing()
+        } else {
+            why_not(model.best())
+        };
+        ui.label(RichText::new(tr(awaited)).small().color(Palette::of(ui.visuals()).weak));
+    }
 }
 
 /// The brush, its size, and a button that clears the region.

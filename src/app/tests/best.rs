@@ -93,4 +93,7 @@ fn a_click_on_the_landscape_moves_its_point_and_a_drag_of_the_brush_paints() {
     harness.get_by_label("Clear the region").click();
     harness.run_steps(3);
     assert_eq!(harness.state().stats().overlays.best.region, 0);
+    harness.step();
+    // the landscape is still asked for, and says what it lacks
+    harness.get_by_label("Paint a region of the source first");
 }
