@@ -98,7 +98,7 @@ impl RectangleMap<'_> {
     }
 
     /// The lines of a grid inside, for drawing: those of constant j in the first list, those of constant i in the second,
-    /// divided further where their nodes are few, and by [`MOST_DRAWN`] points at most. Of the first list only every `stride[0]`-th line, of the second every
+    /// divided further where their nodes are few, and into 256 steps at most. Of the first list only every `stride[0]`-th line, of the second every
     /// `stride[1]`-th.
     pub fn lines(&self, cells: GridCells, stride: [u32; 2]) -> [Vec<Vec<DVec2>>; 2] {
         let [n, m] = cells.0;
