@@ -127,6 +127,29 @@ fn reentrant_corners_are_hit_too_and_the_boundary_is_the_outline() {
 }
 
 #[test]
+fn what_the_boundary_edges_cut_off_fills_the_outline() {
+    let surface = SurfacePreset::Saddle.surface(50).unwrap();
+    for preset in [Preset::Square, Preset::LShape, Preset::Star] {
+        let outline = preset.outline();
+        let map = map(&surface, &outline, [0.1, 0.0]);
+        let cut_off = map.cut_off(&outline.corner_places()).unwrap();
+        assert_eq!(cut_off.len(), outline.corner_places().len());
+        let area = |[a, b, c]: [DVec2; 3]| 0.5 * (b - a).perp_dot(c - a);
+        let own = mesh(&map).mesh();
+        let covered: f64 = own.triangles().iter().map(|t| area(t.map(|v| map.images()[v as usize]))).sum();
+        let filled: f64 = cut_off.iter().map(|(triangle, _)| area(*triangle)).sum();
+        let whole = outline.polygon().area();
+        assert!((covered - whole).abs() > 1e-4, "{}: something is cut off", preset.name());
+        // at reentrant corners what lies beyond the outline is taken away
+        assert!((covered + filled - whole).abs() < 1e-12 * whole, "{}: {covered} + {filled}", preset.name());
+        for (triangle, beside) in &cut_off {
+            let images = own.triangles()[*beside as usize].map(|v| map.images()[v as usize]);
+            assert!(triangle.iter().any(|corner| images.contains(corner)), "the triangle beside it");
+        }
+    }
+}
+
+#[test]
 fn an_outline_without_corners_changes_nothing() {
     let disk = Preset::Disk.outline();
     assert!(disk.corner_places().is_empty());

@@ -100,7 +100,7 @@ impl RiemapApp {
         let Some(step) = self.windows.lesson.draft().steps.get(k) else { return };
         let session = step.session().clone();
         // what the user has just changed, or what moves, is what undo brings back
-        self.persistence.leave(self.model.is_mapped().then(|| self.model.session()));
+        self.persistence.leave(self.is_at_rest().then(|| self.model.session()));
         self.open_session(session);
     }
 

@@ -22,27 +22,33 @@ impl RiemapApp {
             Some(step) => self.explore(ExploreAction::Step(step)),
             // points on their way to the best map are a change that is discarded
             None if self.model.end_flight() => self.step_from(false, Persistence::undo),
-            None => self.step_from(self.model.is_mapped(), Persistence::undo),
+            None => self.step_from(self.is_at_rest(), Persistence::undo),
         }
     }
 
     /// Redo; nothing in the tour or a lesson.
     pub(super) fn redo(&mut self) {
         if !self.windows.explore.is_touring() {
-            self.step_from(self.model.is_mapped(), Persistence::redo);
+            self.step_from(self.is_at_rest(), Persistence::redo);
         }
     }
 
     /// Whether there is something to undo and to redo.
     pub(super) fn can_step(&self) -> [bool; 2] {
         let history = self.persistence.history();
-        let can_undo = history.can_undo() || self.model.best().is_moving();
-        if self.windows.explore.is_touring() { [true, false] } else { [can_undo, history.can_redo()] }
+        let flies = self.model.best().is_moving();
+        let can_step = [history.can_undo() || flies, history.can_redo() && !flies];
+        if self.windows.explore.is_touring() { [true, false] } else { can_step }
     }
 
-    /// The user's own session once it is mapped; in the tour or a lesson, the one from before.
+    /// Whether the session is one to come back to: it is mapped, and no points are on their way to the best map.
+    pub(super) fn is_at_rest(&self) -> bool {
+        self.model.is_mapped() && !self.model.best().is_moving()
+    }
+
+    /// The user's own session at rest; in the tour or a lesson, the one from before.
     pub(super) fn own_at_rest(&self) -> Option<&Session> {
-        self.windows.explore.before().or_else(|| self.model.is_mapped().then(|| self.model.session()))
+        self.windows.explore.before().or_else(|| self.is_at_rest().then(|| self.model.session()))
     }
 
     /// Goes to another entry of the history: `to` is undo or redo.

@@ -291,6 +291,7 @@ impl Model {
             let (anchor, outline) = (spec.outline.first_anchor(), spec.outline);
             if self.sides[side].incoming_points.is_none() && self.session.surface(side).is_none() {
                 self.session.apply(Command::SetPins(None));
+                self.drop_region(side);
             }
             self.session.apply(Command::ReshapeOutline { side, outline, interior: None, anchor });
         }

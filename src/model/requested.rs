@@ -33,6 +33,7 @@ impl Model {
             };
             if preparation.wanted_points().is_none() && self.session.surface(side).is_none() {
                 commands.push(Command::SetPins(None));
+                commands.extend(without_region(side));
             }
             commands.push(Command::ReshapeOutline { side, outline, interior, anchor });
         }

@@ -24,10 +24,12 @@ impl Scales {
         self.missing += weight;
     }
 
-    /// Adds a value; one without weight, or not finite, is left out.
+    /// Adds a value; one without weight is left out, one that is not finite is not known.
     pub fn push(&mut self, ln_scale: f64, weight: f64) {
-        if weight > 0.0 && ln_scale.is_finite() {
+        if ln_scale.is_finite() && weight > 0.0 {
             self.values.push((ln_scale, weight));
+        } else if weight > 0.0 {
+            self.miss(weight);
         }
     }
 
@@ -43,7 +45,8 @@ impl Scales {
         let deviations = self.values.iter().map(|(value, weight)| ((value - mean) * (value - mean), weight));
         let (squares, largest) =
             deviations.fold((0.0, 0.0_f64), |(sum, largest), (off, weight)| (sum + weight * off, largest.max(off)));
-        Some(4.0 * (squares + self.missing * largest) / (total + self.missing)).filter(|variance| variance.is_finite())
+        Some(4.0 * (squares + self.missing * largest) / (total + self.missing))
+            .filter(|variance| total > 0.0 && variance.is_finite())
     }
 
     /// The ratio of the largest to the least scale after [`LEFT_OUT`] of the weight at either end. `None` without weight.

@@ -13,7 +13,7 @@ const TURNS: u32 = 8;
 /// Maps of the grid from which steps begin.
 const STARTS: usize = 3;
 
-/// The first and last step, in sizes of the source and fractions of the target's boundary.
+/// The first and last step, in units of the source's plane and fractions of the target's boundary.
 const STEP: f64 = 0.1;
 const LAST_STEP: f64 = 1e-3;
 

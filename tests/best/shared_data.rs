@@ -30,6 +30,6 @@ fn meshes_over_the_disk_are_mapped_as_well_as_by_the_best_moebius_transformation
         let at = Constraints::new((point_of(a, &sides.source), 0.0), (surface.default_point(), 0.0));
         let same = measured(&sides, &Criterion::Area, &at, Direction::Backward);
         println!("{name}: {same:.6}, measured on the map");
-        assert!(found.after <= same * AS_GOOD);
+        assert!(same.is_finite() && found.after <= same * AS_GOOD);
     }
 }

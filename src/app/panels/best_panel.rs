@@ -95,12 +95,13 @@ fn landscape(ui: &mut Ui, model: &Model, push: &mut dyn FnMut(BestAction)) {
         push(BestAction::Landscape(shown));
     }
     if shown && model.best().landscape().is_none() {
-        let awaited = if model.can_search() || model.best().progress().is_some() {
-            key::computing()
-        } else {
-            why_not(model.best())
+        let lacks_region = model.best().aim() == Aim::Region && model.session().region().is_empty();
+        let awaited = match model.best().landscape_error() {
+            _ if lacks_region => tr(key::region_is_empty()).to_owned(),
+            Some(error) => say(&key::sentence(error)),
+            None => tr(key::computing()).to_owned(),
         };
-        ui.label(RichText::new(tr(awaited)).small().color(Palette::of(ui.visuals()).weak));
+        ui.label(RichText::new(awaited).small().color(Palette::of(ui.visuals()).weak));
     }
 }
 

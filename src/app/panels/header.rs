@@ -153,7 +153,9 @@ fn swap_button(ui: &mut Ui, model: &Model, label: &str, actions: &mut Actions) {
     let swap = Action::Session(Command::Swap);
     let is_locked = Locks::of(ui.ctx()).refused(&swap).is_some();
     let refusal = if is_locked { REFUSAL } else { key::swap_waits() };
-    let button = ui.add_enabled(!is_locked && model.is_mapped(), egui::Button::new(label));
+    let width = theme::control_height(ui, 0.0); // as wide as a finger, also with the symbol
+    let button = egui::Button::new(label).min_size(vec2(width, 0.0));
+    let button = ui.add_enabled(!is_locked && model.is_mapped(), button);
     button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, button.enabled(), tr(key::swap())));
     if button.on_hover_text(tr(key::swap_tooltip())).on_disabled_hover_text(tr(refusal)).clicked() {
         actions.push(swap);

@@ -147,9 +147,10 @@ pub fn shown(number: Number) -> String {
     with_places(number, MOST_DECIMALS)
 }
 
-/// The same with fewer digits, so that the error is seen in the column too.
+/// The same with fewer digits and "…" for those that are left out, so that the error is seen in the column too.
 fn shortened(number: Number) -> String {
-    with_places(number, DECIMALS_IN_COLUMN)
+    let (whole, short) = (shown(number), with_places(number, DECIMALS_IN_COLUMN));
+    if whole == short { whole } else { short.replacen(" ±", "… ±", 1) }
 }
 
 fn with_places(Number { value, error }: Number, most: f64) -> String {
@@ -177,7 +178,7 @@ mod tests {
         let modulus = Number { value: 1.524_504_094_083_92, error: 1e-14 };
         assert_eq!(
             (shown(modulus).as_str(), shortened(modulus).as_str()),
-            ("1.52450409408392 ± 1e-14", "1.524504094 ± 1e-14")
+            ("1.52450409408392 ± 1e-14", "1.524504094… ± 1e-14")
         );
     }
 }

@@ -66,6 +66,10 @@ fn one_undo_ends_the_motion_to_it_and_takes_back_nothing_before() {
     for moved in [false, true] {
         harness.get_by_label("Find it").click();
         step_until(&mut harness, |app| app.model.best().is_moving() && (!moved || app.session() != &before));
+        // nothing on the way is recorded as a step
+        assert!(!harness.state().can_step()[1]);
+        harness.state_mut().redo();
+        assert_eq!(harness.state().stats().screen.undo, 1);
         harness.state_mut().undo();
         step_until(&mut harness, |app| app.model.can_search() && app.stats().screen.undo == 1);
         assert!(harness.state().session() == &before && !harness.state().model.best().is_moving());

@@ -8,7 +8,7 @@
 use crate::app::viewport::gpu::Gpu;
 use crate::conformal::Side;
 use crate::model::Model;
-use crate::model::pattern::cells::Cells;
+use crate::model::pattern::cells::{Cells, PlanarCells};
 use crate::model::pattern::colouring::ColourScale;
 use crate::render::CellStyle;
 
@@ -17,6 +17,7 @@ use crate::render::CellStyle;
 struct Uploaded {
     mesh: u64,
     images: u64,
+    filled_corners: usize,
 }
 
 /// The triangles' colors, and what of them has been uploaded.
@@ -49,19 +50,25 @@ impl CellUploads {
 
     fn upload(&mut self, model: &Model, gpu: &Gpu) {
         let Some(map) = model.shown() else { return };
-        let wanted = Uploaded { mesh: model.mesh_generation(), images: model.generation() };
-        let another_mesh = self.uploaded.mesh != wanted.mesh;
+        let filled_corners = self.cells.filled_corners();
+        let wanted = Uploaded { mesh: model.mesh_generation(), images: model.generation(), filled_corners };
+        let known = self.uploaded;
+        let another_mesh = (known.mesh, known.filled_corners) != (wanted.mesh, wanted.filled_corners);
         for side in Side::BOTH {
             let is_mapped = side == map.mapped_side();
-            let Some(positions) = map.places(side) else { continue };
+            let Some(PlanarCells { positions, triangles, .. }) = self.cells.in_plane(&map, side) else { continue };
             if another_mesh {
-                gpu.upload_cells(side, positions, map.triangles);
-            } else if !is_mapped && self.uploaded.images != wanted.images {
+                gpu.upload_cells(side, positions, triangles);
+            } else if !is_mapped && known.images != wanted.images {
                 gpu.move_cells(side, positions);
             }
         }
         if self.cells.take_recoloured() || another_mesh {
-            gpu.colour_cells(map.mapped_side(), self.cells.codes_mut());
+            let mapped = map.mapped_side();
+            gpu.colour_surface(mapped, self.cells.codes_mut(true));
+            for side in Side::BOTH {
+                gpu.colour_cells(side, self.cells.codes_mut(side == mapped));
+            }
         }
         self.uploaded = wanted;
     }

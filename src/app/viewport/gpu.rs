@@ -160,14 +160,14 @@ impl Gpu {
         self.with_renderer(|renderer| renderer.set_cell_positions(&self.state.queue, VIEWPORTS[side], positions));
     }
 
-    /// Uploads the colors of the triangles: in the plane on both sides, in space on the `mapped` side.
-    pub fn colour_cells(&self, mapped: Side, codes: &mut Vec<CellCode>) {
-        self.with_renderer(|renderer| {
-            for side in Side::BOTH {
-                renderer.set_cell_codes(&self.state.queue, VIEWPORTS[side], codes);
-            }
-            renderer.set_surface_codes(&self.state.queue, VIEWPORTS[mapped], codes);
-        });
+    /// Uploads the colors of a side's triangles in the plane.
+    pub fn colour_cells(&self, side: Side, codes: &mut Vec<CellCode>) {
+        self.with_renderer(|renderer| renderer.set_cell_codes(&self.state.queue, VIEWPORTS[side], codes));
+    }
+
+    /// Uploads the colors of a side's triangles in space.
+    pub fn colour_surface(&self, side: Side, codes: &mut Vec<CellCode>) {
+        self.with_renderer(|renderer| renderer.set_surface_codes(&self.state.queue, VIEWPORTS[side], codes));
     }
 
     /// Sets how the triangles are shown on both sides; `None` hides them.

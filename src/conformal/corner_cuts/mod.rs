@@ -132,6 +132,34 @@ impl ConformalMap {
         Some(CornerCuts { images, triangles, parents, added, at_corners, folded })
     }
 
+    /// What the images of the surface's boundary edges cut off: for each of `corners`, points of the outline in any order, the
+    /// triangle between it and the image of the edge that passes it, and the number of the surface's triangle at that edge.
+    /// Counter-clockwise, except at reentrant corners. `None` unless exactly one side is a surface, and before the first
+    /// update. Cost O(n + corners · log m₁).
+    pub fn cut_off(&self, corners: &[DVec2]) -> Option<Vec<([DVec2; 3], u32)>> {
+        let mesh = self.mapped().surface()?.mesh();
+        let (preimages, images) = (self.preimages(corners)?, self.images());
+        if images.is_empty() {
+            return None;
+        }
+        let m = mesh.boundary_count();
+        let mut at_edge = vec![0; m as usize];
+        for (t, (corners, neighbours)) in (0..).zip(mesh.triangles().iter().zip(mesh.neighbours())) {
+            for i in (0..3).filter(|i| neighbours[(i + 2) % 3] == NO_TRIANGLE) {
+                at_edge[corners[i] as usize] = t;
+            }
+        }
+        let mut last = None;
+        let triangle = |&(corner, point): &(usize, BoundaryPoint)| {
+            let edge = point.edge();
+            let [a, b] = [edge, (edge + 1) % m].map(|v| images[v as usize]);
+            let behind = last.filter(|(passed, _)| *passed == edge).map_or(a, |(_, corner)| corner);
+            last = Some((edge, corners[corner]));
+            ([behind, corners[corner], b], at_edge[edge as usize])
+        };
+        Some(preimages.iter().map(triangle).collect())
+    }
+
     /// The points of the surface's boundary with the same harmonic measure as the corners: the number of each corner with
     /// its point, along the boundary from its first vertex.
     fn preimages(&self, corners: &[DVec2]) -> Option<Vec<(usize, BoundaryPoint)>> {

@@ -933,7 +933,7 @@ lesson_not_kept = The lesson is not kept for the next visit: { $reason }
 ## best map
 
 best_map = Best map
-explain_best_map = All conformal maps from one side onto the other differ by three numbers: which point x₁ goes to x₂ (two numbers), and a turn. “Find it” searches all of them for the best: with the most even areas (the least mean of (ln σ₁σ₂)², weighted by area, where σ₁σ₂ is how much a small area grows, up to one common scale), with the least ratio of the largest to the smallest scale (over 98 % of the area, as corners have no scale), with the most even areas in a region that you paint, or with the least deviation from the symmetries of both outlines. First by a formula for the whole family, then on the map itself. The landscape shows the number for every place of x₁, with y₁ and y₂ where they are; “Find it” turns them too, so it may find less.
+explain_best_map = All conformal maps from one side onto the other differ by three numbers: which point x₁ goes to x₂ (two numbers), and a turn. “Find it” searches all of them for the best: with the most even areas (the least mean of (ln σ₁σ₂)², weighted by area, where σ₁σ₂ is how much a small area grows, up to one common scale), with the least ratio of the largest to the smallest scale (over 98 % of the area, as corners have no scale), with the most even areas in a region that you paint, or with the least deviation from the symmetries of both outlines. First by a formula for the whole family, then on the map itself. The landscape shows the number for every place of x₁, with y₁ and y₂ where they are; “Find it” moves them too, so its number may be lower.
 aim_area = Areas
 aim_area_tooltip = The most even areas
 aim_scale = Scales

@@ -177,6 +177,11 @@ impl BestMap {
         self.relief.is_asked
     }
 
+    /// Why there is no landscape.
+    pub fn landscape_error(&self) -> Option<Message> {
+        self.relief.error.as_ref().map(Message::from)
+    }
+
     /// The landscape, once it is complete.
     pub fn landscape(&self) -> Option<&Landscapes> {
         self.relief.shown()

@@ -9,7 +9,7 @@ use crate::conformal::{ConformalMap, Constraints, Direction, MeshedDomain, Side}
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;
 use crate::model::Model;
-use crate::optimization::{Criterion, Landscape};
+use crate::optimization::{Criterion, Landscape, OptimizeError};
 
 /// Level lines, at equal steps of rank: a twelfth of the vertices lies between two of them.
 const LEVELS: usize = 11;
@@ -82,6 +82,8 @@ pub(super) struct Relief {
     /// Whether it was begun: while a drag changes the origin in every frame, it is not.
     is_begun: bool,
     coming: Option<Landscape>,
+    /// Why there is none.
+    pub error: Option<OptimizeError>,
     complete: Option<Landscapes>,
 }
 
@@ -100,9 +102,12 @@ impl Model {
         let Some((sides, constraints)) = self.both_sides().zip(self.constraints()) else { return false };
         let constraints = constraints.with_point(Side::Source, sides.source.default_point());
         let direction = self.session.direction();
-        let Ok(criterion) = self.criterion() else {
-            self.best.relief.complete = None;
-            return false;
+        let criterion = match self.criterion() {
+            Ok(criterion) => criterion,
+            Err(error) => {
+                self.best.relief = Relief { is_asked: true, error: Some(error), ..Relief::default() };
+                return false;
+            }
         };
         let origin = Origin { sides: KnownSides::new(&sides), criterion: criterion.clone(), constraints, direction };
         if self.best.relief.origin.as_ref() != Some(&origin) {
@@ -111,8 +116,12 @@ impl Model {
         }
         if !self.best.relief.is_begun {
             let mapped = self.map().map_or(direction.mapped_side(), ConformalMap::mapped_side);
-            self.best.relief.coming = Landscape::new(&sides, criterion, constraints, mapped).ok();
-            self.best.relief.is_begun = true;
+            let relief = &mut self.best.relief;
+            match Landscape::new(&sides, criterion, constraints, mapped) {
+                Ok(landscape) => relief.coming = Some(landscape),
+                Err(error) => relief.error = Some(error),
+            }
+            relief.is_begun = true;
         }
         let relief = &mut self.best.relief;
         let Some(mut landscape) = relief.coming.take() else { return false };

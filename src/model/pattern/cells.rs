@@ -1,8 +1,10 @@
 //! The colors and the style of the mapped mesh's triangles.
 
 use super::colouring::{self, ColourScale};
-use crate::conformal::MeshedSurface;
-use crate::model::Model;
+use super::corner_fill::CornerFill;
+use crate::conformal::{MeshedSurface, Side};
+use crate::geometry::DVec2;
+use crate::model::{Model, shown::Shown};
 use crate::render::{CellCode, CellStyle, ColourMap, StrokeStyle};
 use crate::session::Colouring;
 use std::sync::Arc;
@@ -17,6 +19,18 @@ pub struct Cells {
     recolored: bool,
     scale: Option<ColourScale>,
     style: Option<CellStyle>,
+    fill: CornerFill,
+}
+
+/// What is drawn of the mapped mesh in the plane.
+#[derive(Debug, Clone, Copy)]
+pub struct PlanarCells<'a> {
+    /// The vertices.
+    pub positions: &'a [DVec2],
+    /// The triangles.
+    pub triangles: &'a [[u32; 3]],
+    /// Their codes.
+    pub codes: &'a [CellCode],
 }
 
 impl Cells {
@@ -30,9 +44,24 @@ impl Cells {
         &self.codes
     }
 
-    /// The same, for an upload that pads them.
-    pub fn codes_mut(&mut self) -> &mut Vec<CellCode> {
-        &mut self.codes
+    /// The codes of the triangles on a side of the map, with those at corners, for an upload that pads them.
+    pub fn codes_mut(&mut self, is_mapped: bool) -> &mut Vec<CellCode> {
+        if is_mapped || self.fill.count() == 0 { &mut self.codes } else { self.fill.codes_mut() }
+    }
+
+    /// How many triangles fill corners of the outline that a surface is mapped to.
+    pub fn filled_corners(&self) -> usize {
+        self.fill.count()
+    }
+
+    /// The mapped mesh on a side in the plane, with the outline's corners filled; `None` on a surface.
+    pub fn in_plane<'a>(&'a self, map: &Shown<'a>, side: Side) -> Option<PlanarCells<'a>> {
+        if side != map.mapped_side() && self.fill.count() > 0 {
+            let fill = &self.fill;
+            return Some(PlanarCells { positions: fill.positions(), triangles: fill.triangles(), codes: fill.codes() });
+        }
+        let positions = map.places(side)?;
+        Some(PlanarCells { positions, triangles: map.triangles, codes: &self.codes })
     }
 
     /// The scale of the colors; `None` if the texture is shown.
@@ -49,6 +78,8 @@ impl Cells {
     pub fn update(&mut self, model: &Model, pixels_per_point: f32) {
         self.colour(model);
         self.style = self.choose_style(model, pixels_per_point);
+        let map = model.shown().filter(|_| self.style.is_some());
+        self.fill.update(model, map, &self.codes, self.recolored);
     }
 
     /// Renews scale and codes when there is a new measurement or another coloring.

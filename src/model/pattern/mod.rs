@@ -13,6 +13,7 @@
 
 pub mod cells;
 pub mod colouring;
+pub mod corner_fill;
 pub mod disk_grid;
 
 use crate::conformal::Side;

@@ -15,7 +15,7 @@ use crate::language::{Message, key};
 use crate::mesh::BarycentricPoint;
 use crate::model::export::{FileRequest, ReadyFile};
 use crate::model::motion::looping;
-use crate::model::pattern::cells::Cells;
+use crate::model::pattern::cells::{Cells, PlanarCells};
 use crate::model::{Changes, Model, export, pattern};
 use crate::render::{CellCode, CellStyle, MeshGeometry, OrbitCamera, TextureStyle};
 use crate::session::{Command, Session, SurfaceShape, SurfaceSpec, SurfaceState};
@@ -193,9 +193,11 @@ impl Offscreen {
     /// on its own side alone.
     pub fn cells(&self, side: Side) -> Option<OffscreenCells<'_>> {
         let (style, map) = (self.cells.style()?, self.model.shown()?);
-        let positions = map.places(side);
-        let is_shown = positions.is_some() || side == map.mapped_side();
-        is_shown.then_some(OffscreenCells { positions, triangles: map.triangles, codes: self.cells.codes(), style })
+        if let Some(PlanarCells { positions, triangles, codes }) = self.cells.in_plane(&map, side) {
+            return Some(OffscreenCells { positions: Some(positions), triangles, codes, style });
+        }
+        let (triangles, codes) = (map.triangles, self.cells.codes());
+        (side == map.mapped_side()).then_some(OffscreenCells { positions: None, triangles, codes, style })
     }
 
     /// The surface of a side, if one stands there.
