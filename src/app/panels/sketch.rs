@@ -72,7 +72,12 @@ fn paint(ui: &Ui, sketch: &Sketch, [rect, above]: [Rect; 2], turns: [f32; 2], ed
     let painter = ui.painter_at(rect);
     let at = projection(sketch, above, turns);
     let line = Stroke::new(1.0, palette.text.gamma_multiply(0.25));
-    painter.extend(sketch.triangles.iter().map(|corners| Shape::closed_line(corners.map(&at).to_vec(), line)));
+    // edge by edge: a closed line has mitres, which are long rays at triangles smaller than a pixel
+    let edges = sketch.triangles.iter().flat_map(|corners| {
+        let [a, b, c] = corners.map(&at);
+        [[a, b], [b, c], [c, a]]
+    });
+    painter.extend(edges.map(|ends| Shape::line_segment(ends, line)));
     marks(&painter, sketch, palette.error_edge, &at);
     painter.rect_stroke(rect, CornerRadius::same(ROUNDING), edge, StrokeKind::Inside);
 }
