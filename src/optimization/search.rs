@@ -267,7 +267,7 @@ impl Optimization {
     }
 
     fn descend(&mut self, mut descents: Descents) -> Stage {
-        if self.is_lower(&mut descents, STEP) {
+        if self.advance_descents(&mut descents, STEP) {
             return Stage::Descend(descents);
         }
         let many = if self.criterion.symmetries().is_some() { MANY_MOVED } else { MANY };
@@ -279,7 +279,7 @@ impl Optimization {
     }
 
     fn fit(&mut self, mut descents: Descents) -> Stage {
-        if self.is_lower(&mut descents, FIT_STEP) {
+        if self.advance_descents(&mut descents, FIT_STEP) {
             return Stage::Fit(descents);
         }
         self.least = f64::INFINITY;
@@ -292,7 +292,7 @@ impl Optimization {
     }
 
     /// Takes one value of a descent, or goes to the next one; false after the last.
-    fn is_lower(&mut self, descents: &mut Descents, step: f64) -> bool {
+    fn advance_descents(&mut self, descents: &mut Descents, step: f64) -> bool {
         if let Some(map) = descents.now.question(MOST_DESCENT) {
             let value = self.closed_form(&map);
             self.note(value);
@@ -407,7 +407,7 @@ fn candidates(family: &Family, start: &Constraints) -> VecDeque<Moebius> {
     maps
 }
 
-/// The best maps that are apart from each other, up to `most`, and `besides`, best first.
+/// The best maps that are apart from each other, up to `most`, best first, and last `besides`, unless it is among them.
 fn apart(tried: Vec<(f64, Moebius)>, most: usize, besides: Option<(f64, Moebius)>) -> VecDeque<(f64, Moebius)> {
     let mut sorted = tried;
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -98,8 +98,8 @@ impl RectangleMap<'_> {
     }
 
     /// The lines of a grid inside, for drawing: those of constant j in the first list, those of constant i in the second,
-    /// divided further where their nodes are few, and into 256 steps at most. Of the first list only every `stride[0]`-th line, of the second every
-    /// `stride[1]`-th.
+    /// divided further where their nodes are few, and into 256 steps at most. Of the first list only every
+    /// `stride[0]`-th line, of the second every `stride[1]`-th.
     pub fn lines(&self, cells: GridCells, stride: [u32; 2]) -> [Vec<Vec<DVec2>>; 2] {
         let [n, m] = cells.0;
         let every = |stride: u32, count: u32| -> Vec<u32> { (1..count).filter(|k| k % stride == 0).collect() };
