@@ -148,24 +148,17 @@ impl Session {
     /// Applies a command and returns what it touched: [`Self::touched_by`] of the session before.
     pub fn apply(&mut self, command: Command) -> Touched {
         let touched = self.touched_by(&command);
-        if touched == Touched::NOTHING {
-            return touched;
+        if touched != Touched::NOTHING {
+            self.carry_out(command);
         }
+        touched
+    }
+
+    /// Applies a command whose object exists.
+    fn carry_out(&mut self, command: Command) {
         match command {
-            Command::SetOutline { side, outline } => {
-                let settings = self.sides[side].domain.settings;
-                let anchor = outline.first_anchor();
-                self.pins = None;
-                self.sides[side] = SideState::new(outline, settings);
-                self.sides[side].place(SidePoints::Outline { interior: None, anchor });
-            }
-            Command::PinOutline { side, outline, pins } => {
-                self.apply(Command::SetOutline { side, outline });
-                self.pins = Some(pins);
-                if side == Side::Source {
-                    self.region.clear();
-                }
-            }
+            Command::SetOutline { side, outline } => self.set_outline(side, outline),
+            Command::PinOutline { side, outline, pins } => self.pin_outline(side, outline, pins),
             Command::ReshapeOutline { side, outline, interior, anchor } => {
                 self.sides[side].domain.outline = outline;
                 self.sides[side].place(SidePoints::Outline { interior, anchor });
@@ -175,21 +168,12 @@ impl Session {
             Command::MoveAnchor { side, fraction } => self.sides[side].move_anchor(fraction),
             Command::PlacePoints { side, points } => self.sides[side].place(points),
             Command::SetPins(pins) => self.pins = pins,
-            Command::MovePin { pin, side, fraction } => {
-                self.pins = self.pins.take().map(|pins| pins.moved(pin, side, fraction).unwrap_or(pins));
-            }
+            Command::MovePin { pin, side, fraction } => self.move_pin(pin, side, fraction),
             Command::SetSurface { side, surface } | Command::RefineSurface { side, surface } => {
-                self.pins =
-                    self.pins.take().filter(|_| self.surface(side).is_some_and(|old| old.spec.is_like(&surface)));
-                self.sides[side].set_surface(surface);
+                self.set_surface(side, surface);
             }
-            Command::SetHoles { side, holes } => {
-                self.sides[side].surface.iter_mut().for_each(|surface| surface.holes = holes);
-            }
-            Command::CloseSurface(side) => {
-                self.pins = None;
-                self.sides[side].surface = None;
-            }
+            Command::SetHoles { side, holes } => self.set_holes(side, holes),
+            Command::CloseSurface(side) => (self.pins, self.sides[side].surface) = (None, None),
             Command::SetDirection(direction) => self.display.direction = direction,
             Command::SetExtension(extension) => self.display.extension = extension,
             Command::SetTexture(texture) => self.display.texture = texture,
@@ -203,14 +187,45 @@ impl Session {
             Command::SetComparison(comparison) => self.display.comparison = comparison,
             Command::SetRegion(region) => self.region = region.into_iter().map(Dab::rounded).collect(),
             Command::SetSymmetries(shown) => self.display.symmetries = shown,
-            Command::Swap => {
-                self.sides.swap();
-                self.region.clear();
-                self.pins = self.pins.as_ref().map(Pins::exchanged);
-            }
+            Command::Swap => self.swap(),
             Command::Open(session) => *self = *session,
         }
-        touched
+    }
+
+    fn set_outline(&mut self, side: Side, outline: OutlineSpec) {
+        let settings = self.sides[side].domain.settings;
+        let anchor = outline.first_anchor();
+        self.pins = None;
+        self.sides[side] = SideState::new(outline, settings);
+        self.sides[side].place(SidePoints::Outline { interior: None, anchor });
+    }
+
+    fn pin_outline(&mut self, side: Side, outline: OutlineSpec, pins: Pins) {
+        self.set_outline(side, outline);
+        self.pins = Some(pins);
+        if side == Side::Source {
+            self.region.clear();
+        }
+    }
+
+    fn move_pin(&mut self, pin: usize, side: Side, fraction: f64) {
+        self.pins = self.pins.take().map(|pins| pins.moved(pin, side, fraction).unwrap_or(pins));
+    }
+
+    fn set_surface(&mut self, side: Side, surface: SurfaceSpec) {
+        let is_like = self.surface(side).is_some_and(|old| old.spec.is_like(&surface));
+        self.pins = self.pins.take().filter(|_| is_like);
+        self.sides[side].set_surface(surface);
+    }
+
+    fn set_holes(&mut self, side: Side, holes: Holes) {
+        self.sides[side].surface.iter_mut().for_each(|surface| surface.holes = holes);
+    }
+
+    fn swap(&mut self) {
+        self.sides.swap();
+        self.region.clear();
+        self.pins = self.pins.as_ref().map(Pins::exchanged);
     }
 
     /// Whether the surface that the command needs exists; true for commands that need none.
