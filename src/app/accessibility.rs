@@ -28,6 +28,7 @@ pub fn state(app: &RiemapApp) -> String {
     sentences.extend(tiling(model));
     sentences.extend(Side::BOTH.into_iter().filter_map(|side| points(model, side)));
     sentences.extend(pins(model));
+    sentences.extend(Side::BOTH.into_iter().filter_map(|side| marks(model, side)));
     if let Some(quality) = model.quality() {
         let mean = number(quality.q_mean, 3);
         sentences.push(say(&key::accessible_quality(mean, quality.flipped)));
@@ -92,6 +93,12 @@ fn pins(model: &Model) -> Option<String> {
     Some(pairs.collect::<Vec<_>>().join(" "))
 }
 
+/// The marks of a side.
+fn marks(model: &Model, side: Side) -> Option<String> {
+    let [a, b, c, d] = model.marks(side)?.map(|fraction| number(100.0 * fraction, 1));
+    Some(say(&key::accessible_marks(side, a, b, c, d)))
+}
+
 /// The best map: its search, its result, and the landscape.
 fn best(model: &Model) -> Option<String> {
     let best = model.best();
@@ -125,12 +132,15 @@ pub(super) fn caught(app: &RiemapApp) -> Option<String> {
         HandleKind::Pin(pin) => {
             samples.position(samples.at_fraction(model.pins()?.pairs().get(usize::from(pin))?[side]))
         }
+        HandleKind::Mark(mark) => {
+            samples.position(samples.at_fraction(*model.marks(side)?.get(usize::from(mark))?))
+        }
     };
     let (low, high) = model.extent(side)?;
     // a boundary point lies on the samples, next to what catches it
     let expected = match kind {
         HandleKind::Interior => catch.place,
-        HandleKind::Boundary | HandleKind::Pin(_) => samples.position(samples.nearest(catch.place)),
+        HandleKind::Boundary | HandleKind::Pin(_) | HandleKind::Mark(_) => samples.position(samples.nearest(catch.place)),
     };
     let is_there = place.distance(expected) <= SAME_PLACE * (high - low).max_element();
     let words = catch.by.words(model.symmetries(side).and_then(|found| found.as_ref().ok())).filter(|_| is_there)?;

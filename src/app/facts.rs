@@ -6,6 +6,7 @@ use crate::app::overlays;
 use crate::app::status::stats::{HandlePositions, PlotStats, ScreenStats, Stats};
 use crate::app::status::window_stats::{FormulaStats, ProjectionStats, ReportStats, ShareStats, WindowStats};
 use crate::app::viewport::gpu::Gpu;
+use crate::app::viewport::marks;
 use crate::app::windows::Windows;
 use crate::conformal::{Extension, PerSide, Side};
 use crate::language::Message;
@@ -66,7 +67,11 @@ impl RiemapApp {
     fn handle_positions(&self) -> HandlePositions {
         let ([x1, y1], [x2, y2]) = (self.places_of_dots(Side::Source), self.places_of_dots(Side::Target));
         let pins = Side::BOTH.map(|side| self.places_of_pins(side));
-        HandlePositions { x1, x2, y1, y2, pins, caught: accessibility::caught(self) }
+        let marks = Side::BOTH.map(|side| {
+            let places = marks::places(side, &self.model, &self.pictures.views[side]);
+            places.into_iter().map(|(_, place)| self.css_pixels(place)).collect()
+        });
+        HandlePositions { x1, x2, y1, y2, pins, marks, caught: accessibility::caught(self) }
     }
 
     /// The positions of a side's interior point and boundary point.

@@ -92,7 +92,7 @@ impl RiemapApp {
         self.measure_at_rest(context, now);
         self.begin_invariants(context, now);
         self.begin_symmetries(context, now);
-        self.begin_grids(is_held);
+        self.begin_grids(context, is_held, now);
         self.advance_overlays(context, now);
         self.look_under_pointer(context, now);
         self.look_at_probe(context, now);
@@ -134,13 +134,18 @@ impl RiemapApp {
 
     /// Requests the grids that are asked for, and gives up the others; while a pointer button is down, marks and numbers of
     /// cells may still change.
-    fn begin_grids(&mut self, is_held: bool) {
+    fn begin_grids(&mut self, context: &egui::Context, is_held: bool, now: f64) {
         if is_held {
             return;
         }
-        match self.model.next_grid_work() {
-            GridWork::Nothing => {}
-            GridWork::Cancel => self.workers.grid_runner.cancel(),
+        let mut work = self.model.next_grid_work(now);
+        if work == GridWork::Cancel {
+            self.workers.grid_runner.cancel();
+            work = self.model.next_grid_work(now);
+        }
+        match work {
+            GridWork::Nothing | GridWork::Cancel => {}
+            GridWork::Wait(seconds) => context.request_repaint_after_secs(seconds as f32),
             GridWork::Begin(task) => self.workers.grid_runner.begin(Study::Grid(Box::new(task))),
         }
     }

@@ -69,6 +69,8 @@ impl Model {
             | Command::SetPlots(_)
             | Command::SetComparison(_)
             | Command::SetRegion(_)
+            | Command::SetMarks { .. }
+            | Command::MoveMark { .. }
             | Command::SetSymmetries(_) => {
                 let touched = self.session.apply(command);
                 self.changed.points |= touched.touches(Touched::POINTS | Touched::SETTINGS);

@@ -44,7 +44,7 @@ impl Model {
             outline: (&self.session.domain(side).outline).into(),
             point: self.interior(side)?,
             second_point: asked.second_point,
-            marks: asked.marks,
+            marks: self.session.marks(side),
         })
     }
 }

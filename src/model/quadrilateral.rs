@@ -28,8 +28,8 @@ const SAME: f64 = 1e-9;
 impl Model {
     /// The marks of an outline, where they are asked for.
     pub fn marks(&self, side: Side) -> Option<[f64; 4]> {
-        let asked = self.overlay_state.invariants.of(side);
-        asked.marks.filter(|_| asked.is_open && self.abilities().has_outline(side))
+        let is_asked = self.overlay_state.invariants.of(side).is_open && self.abilities().has_outline(side);
+        self.session.marks(side).filter(|_| is_asked)
     }
 
     /// The modulus between an outline's marks, once it is computed.
@@ -43,6 +43,11 @@ impl Model {
     pub fn onto_rectangle(&self, side: Side) -> Option<Result<Command, Message>> {
         let (marks, modulus) = (self.marks(side)?, self.modulus(side)?);
         Some(onto_rectangle(side, marks, modulus))
+    }
+
+    /// Whether the modulus is known and too extreme for a rectangle.
+    pub fn is_too_long(&self, side: Side) -> bool {
+        self.marks(side).is_some() && self.modulus(side).is_some_and(|modulus| rectangle_corners(modulus.value).is_err())
     }
 
     /// The corners of the other side's rectangle in the order of an outline's marks, if they are pinned to each other and
@@ -83,8 +88,7 @@ impl Model {
         match action {
             GridAction::Show(side, is_shown) => grids.show(side, is_shown),
             GridAction::Cells(side, cells) => grids.set_cells(side, cells),
-            GridAction::Save(side, _) => grids.save(to_save.map(|task| (side, task))),
-            GridAction::Cancel => grids.save(None),
+            GridAction::Save(side, _) | GridAction::Cancel(side) => grids.save(side, to_save),
         }
     }
 
@@ -115,10 +119,10 @@ impl Model {
         lines
     }
 
-    /// What the worker of the grids is to do.
-    pub fn next_grid_work(&mut self) -> GridWork {
+    /// What the worker of the grids is to do at the time `now` in seconds.
+    pub fn next_grid_work(&mut self, now: f64) -> GridWork {
         let shown = self.shown_grid_tasks();
-        self.overlay_state.orthogonal_grids.next(&shown)
+        self.overlay_state.orthogonal_grids.next(&shown, now)
     }
 
     /// Takes a finding about a grid; returns the file to save, or why there is none.

@@ -24,7 +24,7 @@ fn rest(model: &mut Model) {
     while let Some(task) = model.take_invariants() {
         model.accept_invariants(task.run());
     }
-    while let GridWork::Begin(task) = model.next_grid_work() {
+    while let GridWork::Begin(task) = next_grid(model) {
         let finding = match task.run(&mut |_| true) {
             Ok(found) => Finding::Grid(Box::new(found.unwrap())),
             Err(reason) => Finding::Failed(reason),
@@ -33,11 +33,19 @@ fn rest(model: &mut Model) {
     }
 }
 
+/// What the worker of the grids is to do once nothing has changed for a while.
+fn next_grid(model: &mut Model) -> GridWork {
+    match model.next_grid_work(0.0) {
+        GridWork::Wait(seconds) => model.next_grid_work(seconds),
+        work => work,
+    }
+}
+
 /// A model of this source with four marks, whose invariants are computed.
 fn marked(outline: OutlineSpec, marks: [f64; 4]) -> Model {
     let mut model = Model::new(Session::with([Command::SetOutline { side: Side::Source, outline }]));
     model.act_on_invariants(InvariantsAction::Open(Side::Source, true));
-    model.act_on_invariants(InvariantsAction::Marks(Side::Source, Some(marks)));
+    model.dispatch(Command::SetMarks { side: Side::Source, marks: Some(marks) }, 0.0);
     rest(&mut model);
     model
 }
@@ -81,7 +89,9 @@ fn a_long_quadrilateral_is_refused_and_nothing_changes() {
     let (outline, marks) = rectangle(25.0);
     let model = marked(outline, marks);
     let refused = model.onto_rectangle(Side::Source).unwrap().unwrap_err().english();
-    assert!(refused.contains("times as long as wide, and 18 is the limit"), "{refused}");
+    let expected = "the side from mark 2 to 3 is too far from the side from mark 4 to 1: the quadrilateral is 25 or more \
+                    times as long as wide, and 18 is the limit";
+    assert!(refused == expected && model.is_too_long(Side::Source), "{refused}");
     // without marks, or with a surface in the outline's place, there is no quadrilateral
     let mut model = marked(OutlineSpec::Preset(Preset::Disk), [0.0, 0.25, 0.5, 0.75]);
     assert!(model.onto_rectangle(Side::Target).is_none());
@@ -127,13 +137,13 @@ fn a_file_is_made_of_the_grid_that_is_shown() {
     let (outline, marks) = preset(Preset::Disk, [0.0, 0.25, 0.5, 0.75]);
     let mut model = marked(outline, marks);
     model.act_on_grids(GridAction::Save(Side::Source, GridFormat::Csv));
-    let GridWork::Begin(task) = model.next_grid_work() else { panic!("nothing to do") };
+    let GridWork::Begin(task) = model.next_grid_work(0.0) else { panic!("nothing to do") };
     let found = task.run(&mut |_| true).unwrap().unwrap();
     let file = model.accept_grid(&task, Finding::Grid(Box::new(found))).unwrap().unwrap();
     assert_eq!(file.name, "riemap_grid.csv");
     assert_eq!(String::from_utf8(file.bytes).unwrap().lines().count(), 1 + 21 * 11);
     model.act_on_grids(GridAction::Save(Side::Source, GridFormat::Obj));
-    assert!(matches!(model.next_grid_work(), GridWork::Begin(_)));
-    model.act_on_grids(GridAction::Cancel);
-    assert_eq!(model.next_grid_work(), GridWork::Cancel);
+    assert!(matches!(model.next_grid_work(0.0), GridWork::Begin(_)));
+    model.act_on_grids(GridAction::Cancel(Side::Source));
+    assert_eq!(model.next_grid_work(0.0), GridWork::Cancel);
 }

@@ -3,7 +3,7 @@
 use super::{
     Colouring, Comparison, Holes, OutlineSpec, Session, SidePoints, SideState, SurfaceSpec, TextureKind, Touched,
 };
-use crate::conformal::{Direction, Extension, InteriorPoint, Pins, PrepareSettings, Side};
+use crate::conformal::{Direction, Extension, InteriorPoint, Marks, Pins, PrepareSettings, Side};
 use crate::geometry::{DVec2, PicturePlacement};
 use crate::optimization::Dab;
 use crate::tiling::TilingPattern;
@@ -60,6 +60,18 @@ pub enum Command {
     /// Replaces the painted region of the source. Numbers are rounded to those that a link holds; an exchange of the sides
     /// drops it, while another shape leaves it as it is.
     SetRegion(Vec<Dab>),
+    /// Sets the four marks of a side's outline, as fractions of the boundary's length, or removes them. Another shape leaves
+    /// them where they are.
+    SetMarks {
+        side: Side,
+        marks: Option<[f64; 4]>,
+    },
+    /// Moves one of the marks, counted from 0; without marks, or out of a good order, changes nothing.
+    MoveMark {
+        mark: usize,
+        side: Side,
+        fraction: f64,
+    },
     /// Shows a surface instead of the outline. If the side has the same surface at another resolution or with other
     /// settings, the points stay; the interior point is reset if the triangles change.
     SetSurface {
@@ -123,7 +135,11 @@ impl Command {
             | Self::SetTiling(_) => Touched::PATTERN,
             Self::SetColouring(_) | Self::SetWireframe(_) | Self::SetHoles { .. } => Touched::COLOURS,
             Self::SetPlots(_) => Touched::PLOTS,
-            Self::SetComparison(_) | Self::SetRegion(_) | Self::SetSymmetries(_) => Touched::COMPARISON,
+            Self::SetComparison(_)
+            | Self::SetRegion(_)
+            | Self::SetMarks { .. }
+            | Self::MoveMark { .. }
+            | Self::SetSymmetries(_) => Touched::COMPARISON,
             Self::Open(_) => Touched::EVERYTHING,
         }
     }
@@ -186,6 +202,8 @@ impl Session {
             Command::SetPlots(open) => self.display.plots = open,
             Command::SetComparison(comparison) => self.display.comparison = comparison,
             Command::SetRegion(region) => self.region = region.into_iter().map(Dab::rounded).collect(),
+            Command::SetMarks { side, marks } => self.marks[side] = marks,
+            Command::MoveMark { mark, side, fraction } => self.marks[side] = self.with_mark_at(mark, side, fraction),
             Command::SetSymmetries(shown) => self.display.symmetries = shown,
             Command::Swap => self.swap(),
             Command::Open(session) => *self = *session,
@@ -224,11 +242,20 @@ impl Session {
 
     fn swap(&mut self) {
         self.sides.swap();
+        self.marks.swap();
         self.region.clear();
         self.pins = self.pins.as_ref().map(Pins::exchanged);
     }
 
-    /// Whether the surface that the command needs exists; true for commands that need none.
+    /// A side's marks with one of them at another place; `None` without it, or where their order was good and is not then.
+    fn with_mark_at(&self, mark: usize, side: Side, fraction: f64) -> Option<[f64; 4]> {
+        let old = self.marks[side]?;
+        let mut new = old;
+        *new.get_mut(mark)? = fraction.rem_euclid(1.0);
+        (Marks::new(new).is_ok() || Marks::new(old).is_err()).then_some(new)
+    }
+
+    /// Whether the object that the command needs exists: a surface, pins, marks; true for commands that need none.
     fn has_object_of(&self, command: &Command) -> bool {
         match command {
             Command::MoveInterior { side, point: InteriorPoint::Surface(_) }
@@ -238,6 +265,7 @@ impl Session {
             Command::MovePin { pin, side, fraction } => {
                 self.pins.as_ref().is_some_and(|pins| pins.moved(*pin, *side, *fraction).is_ok())
             }
+            Command::MoveMark { mark, side, fraction } => self.with_mark_at(*mark, *side, *fraction).is_some(),
             Command::RefineSurface { side, surface } => {
                 self.surface(*side).is_some_and(|there| there.spec.is_like(surface))
             }

@@ -93,6 +93,9 @@ impl Session {
             within(Quantity::Coordinate, value, &(-MAX_COORDINATE..=MAX_COORDINATE))?;
         }
         sides().try_for_each(|side| within(Quantity::Anchor, side.anchor, &(0.0..=1.0)))?;
+        for mark in self.marks.iter().filter_map(|(_, marks)| *marks).flatten() {
+            within(Quantity::Anchor, mark, &(0.0..=1.0))?;
+        }
         within(Quantity::Cells, self.display.texture_scale, &CELLS)?;
         let PicturePlacement { middle, size, turn } = self.display.picture;
         within(Quantity::Picture, middle.x, &PICTURE_MIDDLE)?;

@@ -47,6 +47,8 @@ pub struct Session {
     pins: Option<Pins>,
     /// The region of the source that was painted: disks in the plane or balls in space, whose union it is.
     region: Vec<Dab>,
+    /// The corners of the quadrilaterals, as fractions of the boundaries' lengths.
+    marks: PerSide<Option<[f64; 4]>>,
 }
 
 /// Boundary samples of the default session: enough for the checkerboard's lines to look smooth on a screen.
@@ -64,7 +66,7 @@ impl Default for Session {
         };
         let side = |preset| SideState::new(OutlineSpec::Preset(preset), settings);
         let sides = PerSide::new(side(Preset::Gingerbread), side(Preset::Heart));
-        Self { sides, display: Display::default(), pins: None, region: Vec::new() }
+        Self { sides, display: Display::default(), pins: None, region: Vec::new(), marks: PerSide::default() }
     }
 }
 
@@ -86,7 +88,7 @@ impl Session {
     /// The map and display settings of this session with the sides of `other`, without pins.
     #[must_use]
     pub fn over_sides_of(&self, other: &Self) -> Self {
-        Self { sides: other.sides.clone(), display: self.display, pins: None, region: self.region.clone() }
+        Self { sides: other.sides.clone(), pins: None, ..self.clone() }
     }
 
     /// Both sides.
@@ -149,6 +151,12 @@ impl Session {
     /// The region of the source that was painted, as dabs of a brush; empty unless there is one.
     pub fn region(&self) -> &[Dab] {
         &self.region
+    }
+
+    /// The four marks that make a quadrilateral of a side's outline, as fractions of the boundary's length; a link does not
+    /// hold them.
+    pub fn marks(&self, side: Side) -> Option<[f64; 4]> {
+        self.marks[side]
     }
 
     /// Where the image lies, relative to the domain of its side.

@@ -68,7 +68,8 @@ impl GridTask {
         [m, n].map(|count| count.div_ceil(MOST_LINES))
     }
 
-    /// Makes the grid. `report` gets the share that is done and returns whether to go on; `None` if it said no.
+    /// Makes the grid. `report` gets the share that is done and returns whether to go on; `None` if it said no. It is asked
+    /// before each preparation of the integral equation, which takes the longest, and for each row of nodes.
     ///
     /// Errors: the marks are not in order, the outline has no curve, or the quadrilateral no map; in words.
     pub fn run(&self, report: &mut dyn FnMut(f64) -> bool) -> Result<Option<FoundGrid>, Message> {
@@ -76,8 +77,9 @@ impl GridTask {
         let marks = Marks::new(self.marks).map_err(|error| Message::from(&error))?;
         let spec = self.outline.spec()?;
         let curve = spec.curve().map_err(|_| key::outline_without_curve())?.into_curve();
-        let quadrilateral =
-            Quadrilateral::of_outline((&spec.polygon(), &curve), marks).map_err(|error| Message::from(&error))?;
+        let polygon = spec.polygon();
+        let found = Quadrilateral::of_outline_while((&polygon, &curve), marks, &mut || report(0.0));
+        let Some(quadrilateral) = found.map_err(|error| Message::from(&error))? else { return Ok(None) };
         if !report(SOLVED) {
             return Ok(None);
         }
@@ -129,6 +131,13 @@ mod tests {
             calls < 5
         });
         assert_eq!((found.unwrap(), calls), (None, 5));
+        // the first question comes before the equation of the finer resolution, long before the first node
+        let mut shares = Vec::new();
+        let found = whole.run(&mut |done| {
+            shares.push(done);
+            false
+        });
+        assert_eq!((found.unwrap(), shares), (None, vec![0.0]));
         let refused = |marks| task(marks, [4, 4], None).run(&mut |_| true).unwrap_err().english();
         assert!(refused([0.0, 0.5, 0.25, 0.75]).contains("counter-clockwise"), "{}", refused([0.0, 0.5, 0.25, 0.75]));
         assert_eq!(refused([0.0, 0.25, 0.25, 0.75]), "marks 2 and 3 are the same point");

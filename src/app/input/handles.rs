@@ -1,4 +1,4 @@
-//! The dots x₁, y₁, x₂, y₂, or the pins in their place: hit test, drag, focus and pulse; and the probe.
+//! The dots x₁, y₁, x₂, y₂, or the pins in their place, and the marks: hit test, drag, focus and pulse; and the probe.
 //!
 //! A drag keeps the offset from the pointer to the dot, so that the dot does not jump when it is grabbed.
 //! The nearest dot within [`GRAB_RADIUS`] is hit; a tie goes to the interior point.
@@ -7,6 +7,7 @@ use crate::app::input::snapping::Catch;
 use crate::app::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR};
 use crate::conformal::Side;
 use crate::geometry::DVec2;
+use crate::language::{key, say};
 use crate::model::Probe;
 use egui::{Color32, Pos2, Vec2};
 use std::borrow::Cow;
@@ -18,7 +19,7 @@ pub const GRAB_RADIUS: f32 = 22.0;
 /// The duration of the pulse of a dragged dot's partner, in seconds.
 pub const PULSE_SECONDS: f64 = 0.7;
 
-/// The dots of a side: two, or its pins.
+/// The dots of a side: two, or its pins; and the marks of its quadrilateral.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HandleKind {
     /// The interior point x, green.
@@ -27,6 +28,8 @@ pub enum HandleKind {
     Boundary,
     /// A pin, counted from 0: a boundary point with its number.
     Pin(u8),
+    /// A mark of the quadrilateral, counted from 0.
+    Mark(u8),
 }
 
 impl HandleKind {
@@ -34,7 +37,15 @@ impl HandleKind {
     pub fn colour(self) -> Color32 {
         match self {
             Self::Interior => INTERIOR_COLOUR,
-            Self::Boundary | Self::Pin(_) => BOUNDARY_COLOUR,
+            Self::Boundary | Self::Pin(_) | Self::Mark(_) => BOUNDARY_COLOUR,
+        }
+    }
+
+    /// The number of a pin or of a mark, from 1; 0 for the others.
+    pub fn number(self) -> u32 {
+        match self {
+            Self::Interior | Self::Boundary => 0,
+            Self::Pin(k) | Self::Mark(k) => u32::from(k) + 1,
         }
     }
 }
@@ -55,14 +66,15 @@ impl Handle {
         Self { side: self.side.other(), ..self }
     }
 
-    /// The symbol with the side as index, such as "x₁" or "y₂"; the number of a pin, from 1.
+    /// The symbol with the side as index, such as "x₁" or "y₂"; the number of a pin, from 1; the name of a mark.
     pub fn symbol(self) -> Cow<'static, str> {
         Cow::Borrowed(match (self.kind, self.side) {
             (HandleKind::Interior, Side::Source) => "x₁",
             (HandleKind::Interior, Side::Target) => "x₂",
             (HandleKind::Boundary, Side::Source) => "y₁",
             (HandleKind::Boundary, Side::Target) => "y₂",
-            (HandleKind::Pin(pin), _) => return Cow::Owned((u32::from(pin) + 1).to_string()),
+            (HandleKind::Pin(_), _) => return Cow::Owned(self.kind.number().to_string()),
+            (HandleKind::Mark(_), _) => return Cow::Owned(say(&key::mark(self.kind.number()))),
         })
     }
 }

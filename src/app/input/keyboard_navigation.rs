@@ -29,6 +29,8 @@ pub enum KeyStep {
     Pin(usize, f64),
     /// Delete or Backspace: remove a pin, counted from 0.
     RemovePin(usize),
+    /// A mark, counted from 0, and its displacement along the boundary.
+    Mark(usize, f64),
 }
 
 /// Scrolls to the control that has just got the keyboard focus, if it is in the scrolled content of `ui` and not wholly
@@ -89,6 +91,7 @@ fn steps(kind: HandleKind, [coarse, fine]: [Vec2; 2]) -> KeyStep {
         HandleKind::Interior => KeyStep::Interior(STEPS[0] * coarse + STEPS[1] * fine),
         HandleKind::Boundary => KeyStep::Boundary(fraction),
         HandleKind::Pin(pin) => KeyStep::Pin(pin.into(), fraction),
+        HandleKind::Mark(mark) => KeyStep::Mark(mark.into(), fraction),
     }
 }
 
@@ -168,7 +171,8 @@ fn name(handle: Handle) -> String {
         (HandleKind::Interior, Side::Target) => key::x2_interior_point_target(),
         (HandleKind::Boundary, Side::Source) => key::y1_boundary_point_source(),
         (HandleKind::Boundary, Side::Target) => key::y2_boundary_point_target(),
-        (HandleKind::Pin(pin), side) => return say(&key::pin_of_side(u32::from(pin) + 1, side)),
+        (HandleKind::Pin(_), side) => return say(&key::pin_of_side(handle.kind.number(), side)),
+        (HandleKind::Mark(_), side) => return say(&key::mark_of_side(handle.kind.number(), side)),
     };
     String::from(tr(label))
 }

@@ -165,6 +165,7 @@ impl Locks {
             HandleKind::Interior => Touched::INTERIOR,
             HandleKind::Boundary => Touched::BOUNDARY,
             HandleKind::Pin(_) => Touched::POINTS, // the interior points follow
+            HandleKind::Mark(_) => Touched::COMPARISON,
         };
         self.keeps(moved).is_some()
     }

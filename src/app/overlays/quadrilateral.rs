@@ -1,11 +1,11 @@
-//! The marks of an outline, numbered, and the lines of its orthogonal grid; on the rectangle of the marks its lattice.
+//! The lines of an outline's orthogonal grid; on the rectangle of its marks the lattice.
 
-use crate::app::theme::{Palette, bold};
+use crate::app::theme::Palette;
 use crate::app::viewport::view::View;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::model::Model;
-use egui::{Align2, CornerRadius, Painter, Pos2, Rect, Stroke, StrokeKind, Ui, Vec2, vec2};
+use egui::{Painter, Pos2, Stroke, Ui};
 use std::borrow::Cow;
 
 /// The width of a line, and of the ground that lifts it from the pattern, in points.
@@ -15,26 +15,10 @@ const GROUND: f32 = 3.0;
 const MOST_GROUNDED: usize = 80;
 /// Points of a line nearer to the last one than this are left out, in points.
 const STEP: f32 = 1.5;
-/// Half the side of a mark, and the distance of its center from the outline, in points.
-const HALF: f32 = 8.0;
-const OUTSIDE: f32 = 22.0;
-/// Between a mark and the points whose connection is the tangent there, as a fraction of the length: at a corner both
-/// edges count.
-const BESIDE: f64 = 4e-3;
 
-/// Paints the grid and the marks over a side's picture.
+/// Paints the grid over a side's picture.
 pub fn paint(ui: &Ui, side: Side, model: &Model, view: &View) {
-    let painter = ui.painter_at(view.rect);
-    let palette = Palette::of(ui.visuals());
-    grid(&painter, &palette, &model.grid_lines(side), view);
-    let (Some(marks), Some(domain)) = (model.marks(side), model.domain(side)) else { return };
-    let samples = domain.samples();
-    for (k, fraction) in marks.into_iter().enumerate() {
-        let at = |fraction: f64| view.to_screen(samples.position(samples.at_fraction(fraction.rem_euclid(1.0))));
-        // counter-clockwise in the plane; on the screen y points down
-        let along = (at(fraction + BESIDE) - at(fraction - BESIDE)).normalized();
-        mark(&painter, &palette, at(fraction), vec2(-along.y, along.x), k + 1);
-    }
+    grid(&ui.painter_at(view.rect), &Palette::of(ui.visuals()), &model.grid_lines(side), view);
 }
 
 fn grid(painter: &Painter, palette: &Palette, lines: &[Cow<'_, [DVec2]>], view: &View) {
@@ -61,15 +45,4 @@ fn thinned(line: &[DVec2], view: &View) -> Vec<Pos2> {
         }
     }
     points
-}
-
-/// A square with the number of a mark, which no dot looks like, outside of the outline: the dot of y may be at its place.
-fn mark(painter: &Painter, palette: &Palette, place: Pos2, outwards: Vec2, number: usize) {
-    let edge = Stroke::new(1.5, palette.text);
-    let center = place + OUTSIDE * outwards;
-    painter.line_segment([place, center], Stroke::new(GROUND, palette.canvas));
-    painter.line_segment([place, center], edge);
-    let square = Rect::from_center_size(center, Vec2::splat(2.0 * HALF));
-    painter.rect(square, CornerRadius::same(3), palette.canvas, edge, StrokeKind::Inside);
-    painter.text(center, Align2::CENTER_CENTER, number, bold(11.0), palette.text);
 }

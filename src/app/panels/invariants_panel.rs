@@ -13,6 +13,7 @@ use crate::geometry::DVec2;
 use crate::language::{Label, decimal, key, number, say, tr};
 use crate::model::Model;
 use crate::model::overlays::invariants::{InvariantsAction, SideInvariants};
+use crate::session::Command;
 use crate::worker::{FoundInvariants, Number};
 use egui::{Grid, RichText, ScrollArea, Ui, WidgetInfo};
 
@@ -37,35 +38,32 @@ pub fn show(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
         wanted.push(InvariantsAction::Open(side, is_open));
     }
     if asked.is_open {
-        marks(ui, side, asked, &mut wanted);
+        marks(ui, side, model, actions);
         second_point(ui, side, asked, model, &mut wanted);
         result(ui, side, model);
-        if asked.marks.is_some() {
+        if model.session().marks(side).is_some() {
             quadrilateral_panel::show(ui, side, model, actions);
         }
     }
     actions.extend(wanted.into_iter().map(Action::Invariants));
 }
 
-fn marks(ui: &mut Ui, side: Side, asked: &SideInvariants, wanted: &mut Vec<InvariantsAction>) {
-    let mut has_marks = asked.marks.is_some();
+fn marks(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
+    let old = model.session().marks(side);
+    let mut has_marks = old.is_some();
     let box_ = ui.checkbox(&mut has_marks, tr(key::four_marks())).on_hover_text(tr(key::four_marks_tooltip()));
-    if box_.changed() {
-        wanted.push(InvariantsAction::Marks(side, has_marks.then_some(MARKS)));
+    let mut new = if box_.changed() { has_marks.then_some(MARKS) } else { old };
+    if let (Some(old), Some(new)) = (old, &mut new) {
+        ui.horizontal_wrapped(|ui| {
+            for (k, mark) in new.iter_mut().enumerate() {
+                let drag = number_field(mark).speed(MARK_SPEED).range(0.0..=1.0).max_decimals(6);
+                let drag = drag.prefix(format!("{}: ", k + 1));
+                spoken(ui.add(drag), &say(&key::mark(k + 1)), old[k]);
+            }
+        });
     }
-    let Some(old) = asked.marks else { return };
-    let mut new = old;
-    ui.horizontal_wrapped(|ui| {
-        for (k, mark) in new.iter_mut().enumerate() {
-            let drag = number_field(mark).speed(MARK_SPEED).range(0.0..=1.0).max_decimals(6);
-            let drag = drag.prefix(format!("{}: ", k + 1));
-            let name = say(&key::mark(k + 1));
-            let value = old[k];
-            spoken(ui.add(drag), &name, value);
-        }
-    });
     if new != old {
-        wanted.push(InvariantsAction::Marks(side, Some(new)));
+        actions.push(Action::Session(Command::SetMarks { side, marks: new }));
     }
 }
 

@@ -49,6 +49,9 @@ fn rectangle(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     } else if is_there {
         small(ui, &say(&key::pinned_to_corners(missed(model.fourth_miss(side)))), palette.weak);
     }
+    if model.is_too_long(side) {
+        small(ui, tr(key::quadrilateral_limit()), palette.weak);
+    }
 }
 
 fn grid(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
@@ -115,7 +118,7 @@ fn save(ui: &mut Ui, side: Side, saving: Option<f64>, actions: &mut Actions) {
         if let Some(done) = saving {
             ui.label(computing(done));
             if ui.add(Button::new(tr(key::cancel())).min_size(vec2(0.0, height))).clicked() {
-                actions.push(Action::Grid(GridAction::Cancel));
+                actions.push(Action::Grid(GridAction::Cancel(side)));
             }
             return;
         }

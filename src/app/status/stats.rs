@@ -38,6 +38,8 @@ pub struct HandlePositions {
     pub y2: Option<[f32; 2]>,
     /// The source's and the target's pins; none: the points determine the map.
     pub pins: [Vec<[f32; 2]>; 2],
+    /// The squares of the source's and the target's marks.
+    pub marks: [Vec<[f32; 2]>; 2],
     /// What has caught the dot that was dragged last, in words.
     pub caught: Option<String>,
 }

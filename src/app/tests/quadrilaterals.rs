@@ -21,7 +21,7 @@ fn marked_app(size: [f32; 2]) -> Harness<'static, RiemapApp> {
         vec![
             Action::Session(Command::SetOutline { side: Side::Source, outline }),
             Action::Invariants(InvariantsAction::Open(Side::Source, true)),
-            Action::Invariants(InvariantsAction::Marks(Side::Source, marks)),
+            Action::Session(Command::SetMarks { side: Side::Source, marks }),
         ],
     );
     step_until(&mut harness, |app| app.model.is_ready() && app.model.onto_rectangle(Side::Source).is_some());
@@ -66,11 +66,114 @@ fn a_grid_is_shown_with_its_accuracy_and_its_lattice_on_the_rectangle() {
     let cells = crate::conformal::GridCells::new([1000, 1000]).unwrap();
     let app = harness.state_mut();
     app.carry_out(&context, vec![Action::Grid(GridAction::Cells(Side::Source, cells))]);
-    harness.step();
-    assert!(harness.state().model.grid_progress(Side::Source).is_some());
+    let is_computing = |app: &RiemapApp| app.model.overlay_state().orthogonal_grids.is_computing();
+    step_until(&mut harness, is_computing);
+    assert!(harness.state().model.grid_progress(Side::Source).is_some_and(|done| done < 1.0));
     harness.state_mut().carry_out(&context, vec![Action::Grid(GridAction::Show(Side::Source, false))]);
     harness.step();
-    assert_eq!(harness.state().stats().overlays.grid_lines, [0, 0]);
+    assert!(!is_computing(harness.state()) && harness.state().stats().overlays.grid_lines == [0, 0]);
+    // what its worker still says is not taken for the grid, which begins anew when it is shown again
+    harness.run_steps(20);
+    harness.state_mut().carry_out(&context, vec![Action::Grid(GridAction::Show(Side::Source, true))]);
+    assert_eq!(harness.state().model.grid_progress(Side::Source), Some(0.0));
+    assert!(harness.state().model.grid(Side::Source).is_none());
+}
+
+/// The marks of the source, and where their squares are on the screen.
+fn marks_of_source(harness: &Harness<'_, RiemapApp>) -> ([f64; 4], Vec<egui::Pos2>) {
+    let app = harness.state();
+    let places = app.stats().screen.handles.marks[0].iter().map(|&place| place.into()).collect();
+    (app.session().marks(Side::Source).unwrap(), places)
+}
+
+#[test]
+fn a_mark_is_dragged_along_its_outline_in_one_step_and_stays_between_its_neighbors() {
+    let mut harness = marked_app([1200.0, 900.0]);
+    harness.run_steps(20);
+    let (before, places) = marks_of_source(&harness);
+    let undo = harness.state().stats().screen.undo;
+    let view = harness.state().pictures.views[Side::Source].clone();
+    let samples = harness.state().model.domain(Side::Source).unwrap().samples().clone();
+    let foot = |fraction: f64| view.to_screen(samples.position(samples.at_fraction(fraction)));
+    // the pointer takes the square, and moves the foot
+    let by = foot(before[1] + 0.05) - foot(before[1]);
+    harness.drag_at(places[1]);
+    harness.step();
+    for share in [0.3, 0.6, 1.0] {
+        harness.hover_at(places[1] + share * by);
+        harness.step();
+    }
+    let words = harness.state().stats().screen.handles.caught;
+    harness.drop_at(places[1] + by);
+    harness.run_steps(20);
+    let (after, _) = marks_of_source(&harness);
+    assert!((after[1] - before[1] - 0.05).abs() < 2e-3, "{before:?}, {after:?}, {words:?}");
+    assert_eq!([after[0], after[2], after[3]], [before[0], before[2], before[3]]);
+    assert_eq!(harness.state().stats().screen.undo, undo + 1, "three moves are one step");
+    assert!(accessibility::state(harness.state()).contains("Marks of the source at 0.0, 30."));
+    // beyond the next mark it does not go
+    let (_, places) = marks_of_source(&harness);
+    harness.drag_at(places[1]);
+    harness.step();
+    harness.hover_at(places[1] + (foot(after[2] + 0.03) - foot(after[1])));
+    harness.step();
+    harness.drop_at(places[1] + (foot(after[2] + 0.03) - foot(after[1])));
+    harness.run_steps(20);
+    assert_eq!(marks_of_source(&harness).0, after);
+    let context = harness.ctx.clone();
+    harness.state_mut().carry_out(&context, vec![Action::Undo]);
+    step_until(&mut harness, |app| app.session().marks(Side::Source) == Some(before));
+    harness.state_mut().carry_out(&context, vec![Action::Redo]);
+    step_until(&mut harness, |app| app.session().marks(Side::Source) == Some(after));
+}
+
+#[test]
+fn a_mark_is_moved_by_keys_and_by_a_finger_and_locked_with_the_comparisons() {
+    let mut harness = marked_app([1200.0, 900.0]);
+    harness.run_steps(20);
+    let (before, _) = marks_of_source(&harness);
+    harness.get_by_label("Mark 3 of the source").focus();
+    harness.run_steps(3);
+    harness.key_press(egui::Key::ArrowRight);
+    harness.run_steps(3);
+    harness.key_press_modifiers(egui::Modifiers::SHIFT, egui::Key::ArrowLeft);
+    harness.run_steps(3);
+    let (after, places) = marks_of_source(&harness);
+    assert!((after[2] - before[2] - 0.009).abs() < 1e-12, "{before:?}, {after:?}");
+    // a finger beside the square takes it
+    let at = places[3] + egui::vec2(-14.0, 0.0);
+    let touch = |phase, pos| egui::Event::Touch {
+        device_id: egui::TouchDeviceId(0),
+        id: egui::TouchId(0),
+        phase,
+        pos,
+        force: None,
+    };
+    let button = |pos, pressed| egui::Event::PointerButton {
+        pos,
+        button: egui::PointerButton::Primary,
+        pressed,
+        modifiers: egui::Modifiers::NONE,
+    };
+    let down = [touch(egui::TouchPhase::Start, at), egui::Event::PointerMoved(at), button(at, true)];
+    down.into_iter().for_each(|event| harness.event(event));
+    harness.step();
+    let to = at + egui::vec2(0.0, 20.0);
+    [touch(egui::TouchPhase::Move, to), egui::Event::PointerMoved(to)].into_iter().for_each(|event| harness.event(event));
+    harness.step();
+    [touch(egui::TouchPhase::End, to), button(to, false)].into_iter().for_each(|event| harness.event(event));
+    harness.step();
+    let (moved, places) = marks_of_source(&harness);
+    assert_ne!(moved[3], after[3]);
+    // locked, it stays
+    crate::app::input::locks::Locks::parse("comparison").0.install(&harness.ctx);
+    harness.drag_at(places[1]);
+    harness.step();
+    harness.hover_at(places[1] + egui::vec2(0.0, 30.0));
+    harness.step();
+    harness.drop_at(places[1] + egui::vec2(0.0, 30.0));
+    harness.run_steps(3);
+    assert_eq!(marks_of_source(&harness).0, moved);
 }
 
 /// Waits for the map projection, which takes seconds.

@@ -7,6 +7,7 @@ use crate::app::theme::widgets::caption_font;
 use crate::app::theme::{Palette, bold, is_animated};
 use crate::conformal::Side;
 use crate::language::{self, Label, Language, key, number, tr};
+use crate::model::Model;
 use egui::emath::GuiRounding;
 use egui::{
     Align2, Color32, CornerRadius, CursorIcon, Painter, Pos2, Rect, Response, Stroke, StrokeKind, Ui, Vec2, vec2,
@@ -64,6 +65,7 @@ pub fn explanation(handle: Handle) -> Label {
         (HandleKind::Boundary, Side::Source) => key::explain_y1(),
         (HandleKind::Boundary, Side::Target) => key::explain_y2(),
         (HandleKind::Pin(_), _) => key::explain_pin(),
+        (HandleKind::Mark(_), _) => key::explain_mark(),
     }
 }
 
@@ -98,6 +100,14 @@ pub fn paint(ui: &Ui, painter: &Painter, handle: Handle, dot: Dot, handles: &Han
     if handles.is_held(handle) || handles.focused == Some(handle) {
         paint_words(ui, painter, words(), place);
     }
+}
+
+/// The coordinates of a dot of an outline, and what has caught it.
+pub fn words(side: Side, model: &Model, handles: &HandleState, handle: Handle, place: &[f64]) -> String {
+    let catch = handles.held_catch().filter(|(held, _)| *held == handle);
+    let found = model.symmetries(side).and_then(|found| found.as_ref().ok());
+    let caught = catch.and_then(|(_, catch)| catch.by.words(found));
+    coordinates(handle, place) + &caught.map(|by| format!(" · {by}")).unwrap_or_default()
 }
 
 /// The symbol and the coordinates of a dot; the decimal comma needs a semicolon between them.

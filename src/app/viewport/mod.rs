@@ -10,6 +10,7 @@
 //! | dragging and painting the dots | `dots` |
 //! | which dots there are, and what moves them | `moves` |
 //! | adding pins, and their misses | `pins` |
+//! | the marks of a quadrilateral | `marks` |
 //! | the brush of a region and the landscape of the best map | `best` |
 //! | the marks at an outline's corners | `corners` |
 //! | axes and centers of symmetry | `symmetry` |
@@ -26,6 +27,7 @@ pub mod dots;
 pub mod gpu;
 mod gpu_extension;
 pub mod legend;
+pub mod marks;
 mod moves;
 pub mod picture;
 mod picture_gestures;

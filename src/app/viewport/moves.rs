@@ -39,6 +39,7 @@ pub fn moved(
         HandleKind::Interior => interior().map(|point| Command::MoveInterior { side, point }),
         HandleKind::Boundary => boundary().map(|fraction| Command::MoveAnchor { side, fraction }),
         HandleKind::Pin(pin) => boundary().map(|fraction| Command::MovePin { pin: pin.into(), side, fraction }),
+        HandleKind::Mark(mark) => boundary().map(|fraction| Command::MoveMark { mark: mark.into(), side, fraction }),
     }
 }
 
@@ -57,6 +58,10 @@ pub fn stepped(
         KeyStep::Pin(pin, step) => {
             let fraction = model.pins()?.pairs().get(pin)?[side] + step;
             Some(Command::MovePin { pin, side, fraction })
+        }
+        KeyStep::Mark(mark, step) => {
+            let fraction = model.session().marks(side)?.get(mark)? + step;
+            Some(Command::MoveMark { mark, side, fraction })
         }
         // none if fewer than three would remain
         KeyStep::RemovePin(pin) => model.pins()?.without(pin).ok().map(|pins| Command::SetPins(Some(pins))),

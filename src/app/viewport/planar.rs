@@ -18,6 +18,7 @@ use crate::app::viewport::corners;
 use crate::app::viewport::dots;
 use crate::app::viewport::dots::Dot;
 use crate::app::viewport::gpu::ViewportCallback;
+use crate::app::viewport::marks;
 use crate::app::viewport::moves;
 use crate::app::viewport::picture::Picture;
 use crate::app::viewport::picture_gestures;
@@ -130,7 +131,7 @@ pub fn places(side: Side, model: &Model, view: &View) -> Places {
     points(side, model).into_iter().map(|(kind, point)| (kind, view.to_screen(point))).collect()
 }
 
-/// Grabs, drags and releases the side's dots, or moves them by keys.
+/// Grabs, drags and releases the side's dots and marks, or moves them by keys.
 pub fn drag_dots(
     ui: &Ui,
     response: &Response,
@@ -140,8 +141,13 @@ pub fn drag_dots(
     handles: &mut HandleState,
     actions: &mut Actions,
 ) {
-    let places = places(side, model, view);
+    let mut places = places(side, model, view);
+    places.extend(marks::places(side, model, view));
+    let held = handles.grip;
     dots::grab_and_release(ui, response, side, &places, handles);
+    if handles.grip != held {
+        marks::hold_by_foot(side, model, view, handles);
+    }
     drag_handle(ui, side, model, view, handles, actions);
     if let Some(key_step) = keyboard_navigation::of_dots(ui, side, &places, handles) {
         let interior = |step| {
@@ -253,6 +259,7 @@ pub fn paint_mesh(ui: &Ui, side: Side, view: &View, style: Option<&TextureStyle>
 pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState) {
     symmetry::paint(ui, side, model, view, handles);
     corners::paint(ui, side, model, view);
+    marks::paint(ui, side, model, view, handles);
     let painter = ui.painter_at(view.rect);
     pins::paint_misses(&painter, side, model, |fraction| {
         let samples = model.domain(side)?.samples();
@@ -260,12 +267,7 @@ pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Han
     });
     for (kind, point) in points(side, model).into_iter().rev() {
         let handle = Handle { side, kind };
-        let words = || {
-            let catch = handles.held_catch().filter(|(held, _)| *held == handle);
-            let found = model.symmetries(side).and_then(|found| found.as_ref().ok());
-            let caught = catch.and_then(|(_, catch)| catch.by.words(found));
-            dots::coordinates(handle, &point.to_array()) + &caught.map(|by| format!(" · {by}")).unwrap_or_default()
-        };
+        let words = || dots::words(side, model, handles, handle, &point.to_array());
         dots::paint(ui, &painter, handle, Dot { place: view.to_screen(point), hidden: false }, handles, &words);
     }
 }

@@ -27,8 +27,15 @@ const WITHIN: f64 = 0.7;
 /// The middle of the quadrilateral with these corners, approximately, found from the point `start` inside or from beside a
 /// corner, whichever sees the sides more nearly alike; with the measure from there.
 ///
+/// `goes_on` is asked between the preparations of the equation; `None` once it says no.
+///
 /// Errors: the equation's; no middle was found.
-pub fn middle(curve: &Curve, corners: [CurvePoint; 4], start: DVec2) -> Result<(DVec2, Resolved), QuadrilateralError> {
+pub fn middle(
+    curve: &Curve,
+    corners: [CurvePoint; 4],
+    start: DVec2,
+    goes_on: &mut dyn FnMut() -> bool,
+) -> Result<Option<(DVec2, Resolved)>, QuadrilateralError> {
     let beside = corners.iter().filter_map(|&corner| beside(curve, corner));
     let starts: Vec<DVec2> = std::iter::once(start).chain(beside).collect();
     let integral = BoundaryIntegral::prepare(curve, &Settings::default().with_points(&starts))?;
@@ -44,24 +51,37 @@ pub fn middle(curve: &Curve, corners: [CurvePoint; 4], start: DVec2) -> Result<(
     let hidden = seen.iter().find(|(_, seen)| seen.hides_a_side());
     let error = hidden.map_or(QuadrilateralError::NoMiddle, |(_, seen)| seen.too_long());
     for (x, seen) in seen {
-        if let Some(found) = from_start(curve, corners, (x, seen), &integral)? {
-            return Ok(found);
+        match from_start(curve, corners, (x, seen), &integral, goes_on)? {
+            Search::Ended(None) => {}
+            Search::Ended(found) => return Ok(found),
+            Search::GivenUp => return Ok(None),
         }
     }
     Err(error)
 }
 
-/// The middle, found by steps from a point; `None` if they do not lead there.
+/// The end of a search from one point.
+enum Search {
+    /// With the middle, if the steps led there.
+    Ended(Option<(DVec2, Resolved)>),
+    GivenUp,
+}
+
+/// The middle, found by steps from a point.
 fn from_start(
     curve: &Curve,
     corners: [CurvePoint; 4],
     (mut x, mut seen): (DVec2, Seen),
     first: &BoundaryIntegral,
-) -> Result<Option<(DVec2, Resolved)>, QuadrilateralError> {
+    goes_on: &mut dyn FnMut() -> bool,
+) -> Result<Search, QuadrilateralError> {
     let prepare = |x: DVec2| BoundaryIntegral::prepare(curve, &Settings::default().with_points(&[x]));
     for _ in 0..STEPS {
         if !seen.hides_a_side() && seen.imbalance() <= BALANCED {
-            return Ok(Some((x, seen.resolved)));
+            return Ok(Search::Ended(Some((x, seen.resolved))));
+        }
+        if !goes_on() {
+            return Ok(Search::GivenUp);
         }
         let Some(next) = inside(curve, x, seen.middle(curve, corners)) else { break };
         x = next;
@@ -72,7 +92,7 @@ fn from_start(
         };
         seen = Seen::new(resolved);
     }
-    Ok(None)
+    Ok(Search::Ended(None))
 }
 
 /// A point inside, at about half the width of the domain from a corner.

@@ -76,22 +76,44 @@ impl Quadrilateral {
     /// Errors: two corners are one point of the curve; the quadrilateral is longer than [`MOST_LENGTH`]; the integral
     /// equation of the curve cannot be solved. Cost: that of three preparations of the equation or more.
     pub fn new(curve: &Curve, marks: Marks, inside: DVec2) -> Result<Self, QuadrilateralError> {
+        Self::new_while(curve, marks, inside, &mut || true)?.ok_or(QuadrilateralError::NoMiddle)
+    }
+
+    /// As [`Self::new`]; `goes_on` is asked between the preparations, and `None` is returned once it says no.
+    fn new_while(
+        curve: &Curve,
+        marks: Marks,
+        inside: DVec2,
+        goes_on: &mut dyn FnMut() -> bool,
+    ) -> Result<Option<Self>, QuadrilateralError> {
         let corners = marks.fractions().map(|fraction| curve.point_at_fraction(fraction));
         if let Some(k) = (0..4).find(|&k| corners[k] == corners[(k + 1) % 4]) {
             return Err(QuadrilateralError::Coinciding { marks: [k + 1, (k + 1) % 4 + 1] });
         }
-        let (x, coarse) = middle::middle(curve, corners, inside)?;
+        let Some((x, coarse)) = middle::middle(curve, corners, inside, goes_on)? else { return Ok(None) };
         check_length(modulus(above_rounding(coarse.arcs)))?;
+        if !goes_on() {
+            return Ok(None);
+        }
         let settings = Settings::default().with_points(&[x]).finer();
         let fine = Resolved::new(&BoundaryIntegral::prepare(curve, &settings)?, x, corners)?;
         let modulus = modulus_of_both(coarse.arcs, fine.arcs);
-        Ok(Self { curve: curve.clone(), corners, coarse, fine, modulus })
+        Ok(Some(Self { curve: curve.clone(), corners, coarse, fine, modulus }))
     }
 
     /// As [`Self::new`], of an outline's curve, with the middle looked for from the pole of inaccessibility of its polygon.
-    pub fn of_outline((polygon, curve): (&SimplePolygon, &Curve), marks: Marks) -> Result<Self, QuadrilateralError> {
+    pub fn of_outline(outline: (&SimplePolygon, &Curve), marks: Marks) -> Result<Self, QuadrilateralError> {
+        Self::of_outline_while(outline, marks, &mut || true)?.ok_or(QuadrilateralError::NoMiddle)
+    }
+
+    /// As [`Self::of_outline`]; `goes_on` is asked between the preparations, and `None` is returned once it says no.
+    pub fn of_outline_while(
+        (polygon, curve): (&SimplePolygon, &Curve),
+        marks: Marks,
+        goes_on: &mut dyn FnMut() -> bool,
+    ) -> Result<Option<Self>, QuadrilateralError> {
         let tolerance = NEAR_POLE * polygon.bounds().size().max_element();
-        Self::new(curve, marks, polygon.pole_of_inaccessibility(tolerance))
+        Self::new_while(curve, marks, polygon.pole_of_inaccessibility(tolerance), goes_on)
     }
 
     /// The extremal distance between the sides from corner 1 to 2 and from corner 3 to 4: the length of the other two sides

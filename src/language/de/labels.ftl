@@ -1033,6 +1033,10 @@ grid_error = Knoten auf { $error } genau.
 lines_drawn = Eine von { $stride } Linien entlang { $side } ist gezeichnet.
 computing_at = Wird berechnet… { $percent } %
 modulus_uncertain = der Modul ist { $value } mit einem Fehler von { $error }: den inneren Punkt zwischen die Marken ziehen
+explain_mark = Eine Ecke des Vierecks. Zieh sie am Umriss entlang, oder geh mit Tab zu ihr und nimm die Pfeiltasten; sie bleibt zwischen ihren Nachbarn.
+mark_of_side = Marke { $mark } ({ $side })
+accessible_marks = Marken ({ $side }) bei { $first }, { $second }, { $third } und { $fourth } % des Randes.
+quadrilateral_limit = Jede weitere Breite an Länge kostet einen Faktor fünf an Genauigkeit: bei 18 (oder 1/18) bleiben fünf Stellen, bei 22 zwei. Verschieb Marken, sodass es kürzer wird, oder teile den Umriss quer und mach das Gitter jedes Teils.
 accessible_grid = Rechtwinkliges Gitter · { $side }: { $first } × { $second } Zellen. { $accuracy }
 save_grid_as = Gitter als { $format } speichern
 

@@ -1033,6 +1033,10 @@ grid_error = Nodes right to { $error }.
 lines_drawn = One line of { $stride } along { $side } is drawn.
 computing_at = Computing… { $percent } %
 modulus_uncertain = the modulus is { $value } with an error of { $error }: move the interior point between the marks
+explain_mark = A corner of the quadrilateral. Drag it along the outline, or focus it and use the arrow keys; it stays between its neighbors.
+mark_of_side = Mark { $mark } of the { $side }
+accessible_marks = Marks of the { $side } at { $first }, { $second }, { $third } and { $fourth } % of the boundary.
+quadrilateral_limit = Each width more of length costs a factor of five in accuracy: at 18 (or 1/18) five digits are left, at 22 two. Move marks so that it gets shorter, or cut the outline across and make the grid of each part.
 accessible_grid = Orthogonal grid · { $side }: { $first } × { $second } cells. { $accuracy }
 save_grid_as = Save the grid as { $format }
 

@@ -190,8 +190,8 @@ keys_of_labels! {
     symmetry, explain_symmetry, show_symmetries, show_symmetries_tooltip, no_symmetry, in_center, in_corner,
     drag_with_alt, drag_with_alt_about,
     // quadrilaterals
-    quadrilateral, explain_quadrilateral, map_onto_rectangle, map_onto_rectangle_tooltip, rectangle, orthogonal_grid,
-    orthogonal_grid_tooltip, cells_along, cells_across_marks, save_grid,
+    quadrilateral, explain_quadrilateral, explain_mark, quadrilateral_limit, map_onto_rectangle,
+    map_onto_rectangle_tooltip, rectangle, orthogonal_grid, orthogonal_grid_tooltip, cells_along, cells_across_marks, save_grid,
     // projections
     map_projection, map_projection_tooltip, projection, explain_projection, projection_begin, open_region,
     open_region_tooltip, show_island, show_island_tooltip, island, regions, scale_ratio, stereographic_ratio, least_scale,
@@ -257,7 +257,8 @@ keys_of_messages! {
     symmetry_tolerance(share); on_axis(angle); at_axis_end(angle); caught_dot(dot, place);
     // quadrilaterals
     pinned_to_corners(miss); grid_accuracy(error, angle); grid_error(error); lines_drawn(stride, side); computing_at(percent);
-    modulus_uncertain(value, error); accessible_grid(side, first, second, accuracy); save_grid_as(format);
+    modulus_uncertain(value, error); mark_of_side(mark, side); accessible_marks(side, first, second, third, fourth);
+    accessible_grid(side, first, second, accuracy); save_grid_as(format);
     // projections
     ratio_at_most(value, error); place_in_degrees(longitude, latitude); graticule_steps(longitude, latitude);
     accessible_projection(name, ratio, stereographic); projection_left_out(percent, count); projection_joined(count);

@@ -13,8 +13,6 @@ use crate::worker::{FoundInvariants, InvariantsTask};
 pub enum InvariantsAction {
     /// Compute a side's invariants, or no more.
     Open(Side, bool),
-    /// Put four marks on a side's boundary, as fractions of its length, or remove them.
-    Marks(Side, Option<[f64; 4]>),
     /// Put a second point into a side, or remove it.
     SecondPoint(Side, Option<DVec2>),
 }
@@ -24,8 +22,6 @@ pub enum InvariantsAction {
 pub struct SideInvariants {
     /// Whether the panel is open.
     pub is_open: bool,
-    /// The marks.
-    pub marks: Option<[f64; 4]>,
     /// The second point.
     pub second_point: Option<DVec2>,
     found: Option<(InvariantsTask, Result<FoundInvariants, Message>)>,
@@ -48,7 +44,6 @@ impl InvariantsState {
     pub fn act(&mut self, action: InvariantsAction) {
         match action {
             InvariantsAction::Open(side, is_open) => self.sides[side].is_open = is_open,
-            InvariantsAction::Marks(side, marks) => self.sides[side].marks = marks,
             InvariantsAction::SecondPoint(side, point) => self.sides[side].second_point = point,
         }
     }

@@ -12,6 +12,10 @@ use crate::worker::{Finding, FoundGrid, GridContent, GridTask};
 /// The numbers of cells to begin with.
 const CELLS: [u32; 2] = [20, 10];
 
+/// How long a grid that is to be shown is asked for without change before it is computed, in seconds: marks and numbers of
+/// cells change in steps, by drags, keys and wheels. A file is asked for by a click, and is computed at once.
+const REST_SECONDS: f64 = 0.25;
+
 /// A change of what is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GridAction {
@@ -21,8 +25,8 @@ pub enum GridAction {
     Cells(Side, GridCells),
     /// Save a side's grid.
     Save(Side, GridFormat),
-    /// Save it no more.
-    Cancel,
+    /// Save a side's grid no more.
+    Cancel(Side),
 }
 
 /// What is asked for of a side, and the last result.
@@ -31,6 +35,8 @@ pub struct SideGrid {
     /// Whether the grid is shown.
     pub is_shown: bool,
     cells: Option<GridCells>,
+    /// The file to save.
+    to_save: Option<GridTask>,
     found: Option<(GridTask, Result<FoundGrid, Message>)>,
 }
 
@@ -39,7 +45,9 @@ pub struct SideGrid {
 pub enum GridWork {
     /// Go on, or wait.
     Nothing,
-    /// Give up what it does.
+    /// Wait; in this many seconds there is something to begin with, unless something else is asked for until then.
+    Wait(f64),
+    /// Give up what it does. What it is to do instead is said by the next call.
     Cancel,
     /// Begin with this, and give up what it does.
     Begin(GridTask),
@@ -49,11 +57,11 @@ pub enum GridWork {
 #[derive(Debug, Default)]
 pub struct GridState {
     sides: PerSide<SideGrid>,
-    /// The file to save, and the side whose grid it is.
-    to_save: Option<(Side, GridTask)>,
     in_flight: Option<GridTask>,
     /// The share of the task in flight that is done.
     done: f64,
+    /// The grid to be shown that waits, and since when it does.
+    waits: Option<(GridTask, f64)>,
 }
 
 impl SideGrid {
@@ -76,12 +84,17 @@ impl GridState {
 
     /// The share of the file of a side's grid that is done; `None` without one.
     pub fn saving(&self, side: Side) -> Option<f64> {
-        self.to_save.as_ref().filter(|(saved, _)| *saved == side).map(|(_, task)| self.done_of(task))
+        self.sides[side].to_save.as_ref().map(|task| self.done_of(task))
     }
 
     /// The share of a task that is done: 0 while it waits.
     pub fn done_of(&self, task: &GridTask) -> f64 {
         if self.in_flight.as_ref() == Some(task) { self.done } else { 0.0 }
+    }
+
+    /// Whether the worker computes a grid.
+    pub fn is_computing(&self) -> bool {
+        self.in_flight.is_some()
     }
 
     /// Shows a side's grid, or no more.
@@ -94,21 +107,44 @@ impl GridState {
         self.sides[side].cells = Some(cells);
     }
 
-    /// The file to save next, of a side's grid, in the place of the last one; `None`: none any more.
-    pub fn save(&mut self, task: Option<(Side, GridTask)>) {
-        self.to_save = task;
+    /// The file to save of a side's grid, in the place of its last one; `None`: none any more.
+    pub fn save(&mut self, side: Side, task: Option<GridTask>) {
+        self.sides[side].to_save = task;
     }
 
-    /// What the worker is to do, where these grids are shown.
-    pub fn next(&mut self, shown: &PerSide<Option<GridTask>>) -> GridWork {
+    /// What the worker is to do at the time `now` in seconds, where these grids are shown.
+    pub fn next(&mut self, shown: &PerSide<Option<GridTask>>, now: f64) -> GridWork {
         let is_missing = |(side, task): &(Side, &GridTask)| self.sides[*side].result(task).is_none();
         let missing = shown.iter().filter_map(|(side, task)| Some((side, task.as_ref()?))).find(is_missing);
-        let wanted = self.to_save.as_ref().map(|(_, task)| task).or(missing.map(|(_, task)| task)).cloned();
+        let to_save = self.sides.iter().find_map(|(_, side)| side.to_save.as_ref());
+        let wanted = to_save.or(missing.map(|(_, task)| task)).cloned();
         if wanted == self.in_flight {
             return GridWork::Nothing;
         }
-        (self.in_flight, self.done) = (wanted.clone(), 0.0);
-        wanted.map_or(GridWork::Cancel, GridWork::Begin)
+        if self.in_flight.take().is_some() {
+            return GridWork::Cancel;
+        }
+        let Some(task) = wanted else { return GridWork::Nothing };
+        if task.file().is_none() {
+            let left = self.wait_for(&task, now);
+            if left > 0.0 {
+                return GridWork::Wait(left);
+            }
+        }
+        (self.in_flight, self.done, self.waits) = (Some(task.clone()), 0.0, None);
+        GridWork::Begin(task)
+    }
+
+    /// The seconds until a grid has been asked for long enough.
+    fn wait_for(&mut self, task: &GridTask, now: f64) -> f64 {
+        let since = match &self.waits {
+            Some((waiting, since)) if waiting == task => *since,
+            _ => {
+                self.waits = Some((task.clone(), now));
+                now
+            }
+        };
+        since + REST_SECONDS - now
     }
 
     /// Takes a finding about a task: the file to save, if it is complete, or why there is none. One about another task than
@@ -133,7 +169,8 @@ impl GridState {
         };
         self.in_flight = None;
         if let Some(format) = task.file() {
-            self.to_save = None;
+            let saved = Side::BOTH.into_iter().find(|side| self.sides[*side].to_save.as_ref() == Some(task));
+            saved.into_iter().for_each(|side| self.sides[side].to_save = None);
             return Some(result.map(|found| file(found, format)));
         }
         for (side, _) in shown.iter().filter(|(_, shown)| shown.as_ref() == Some(task)) {
@@ -165,34 +202,75 @@ mod tests {
         Finding::Grid(Box::new(FoundGrid { modulus, image_error: 0.0, angle_deviation: None, content }))
     }
 
+    fn lines() -> Finding {
+        found(GridContent::Lines([Vec::new(), Vec::new()]))
+    }
+
+    /// What is to be done after this has been asked for without change for long enough.
+    fn rested(state: &mut GridState, shown: &PerSide<Option<GridTask>>) -> GridWork {
+        match state.next(shown, 0.0) {
+            GridWork::Wait(_) => state.next(shown, REST_SECONDS),
+            work => work,
+        }
+    }
+
     #[test]
     fn files_come_first_and_what_is_no_more_wanted_is_given_up() {
         let mut state = GridState::default();
         let (disk, square) = (task(Preset::Disk, None), task(Preset::Square, None));
         let (none, both) = (PerSide::new(None, None), PerSide::new(Some(disk.clone()), Some(square.clone())));
-        assert_eq!(state.next(&none), GridWork::Nothing);
-        assert_eq!(state.next(&both), GridWork::Begin(disk.clone()));
-        assert_eq!(state.next(&both), GridWork::Nothing, "it is in flight");
+        assert_eq!(rested(&mut state, &none), GridWork::Nothing);
+        assert_eq!(rested(&mut state, &both), GridWork::Begin(disk.clone()));
+        assert_eq!(rested(&mut state, &both), GridWork::Nothing, "it is in flight");
         state.accept(&disk, Finding::Progress(0.5), &both);
         assert!((state.done_of(&disk) - 0.5).abs() < 1e-12 && state.done_of(&square) < 1e-12);
         let csv = task(Preset::Disk, Some(GridFormat::Csv));
-        state.save(Some((Side::Source, csv.clone())));
-        assert_eq!((state.next(&both), state.saving(Side::Source)), (GridWork::Begin(csv.clone()), Some(0.0)));
-        assert_eq!(state.saving(Side::Target), None, "it is the other side's");
-        assert_eq!(state.accept(&disk, found(GridContent::Lines([Vec::new(), Vec::new()])), &both), None, "superseded");
+        state.save(Side::Source, Some(csv.clone()));
+        assert_eq!(state.next(&both, 0.0), GridWork::Cancel);
+        assert_eq!(state.next(&both, 0.0), GridWork::Begin(csv.clone()), "a file waits for nothing");
+        assert_eq!(state.accept(&disk, lines(), &both), None, "superseded");
         let saved = state.accept(&csv, found(GridContent::File("i,j".into())), &both).unwrap().unwrap();
         assert_eq!((saved.name.as_str(), saved.bytes.as_slice()), ("riemap_grid.csv", &b"i,j"[..]));
-        assert_eq!((state.next(&both), state.saving(Side::Source)), (GridWork::Begin(disk.clone()), None));
-        state.accept(&disk, found(GridContent::Lines([Vec::new(), Vec::new()])), &both);
+        assert_eq!((rested(&mut state, &both), state.saving(Side::Source)), (GridWork::Begin(disk.clone()), None));
+        state.accept(&disk, lines(), &both);
         assert!(state.of(Side::Source).result(&disk).unwrap().is_ok());
-        assert_eq!(state.next(&both), GridWork::Begin(square.clone()));
+        assert_eq!(rested(&mut state, &both), GridWork::Begin(square.clone()));
         state.accept(&square, Finding::Failed("no".into()), &both);
         assert!(state.of(Side::Target).result(&square).unwrap().is_err());
-        assert_eq!(state.next(&both), GridWork::Nothing, "a failure is not repeated");
+        assert_eq!(rested(&mut state, &both), GridWork::Nothing, "a failure is not repeated");
         // another outline, and then none
         let other = PerSide::new(Some(task(Preset::Star, None)), None);
-        assert!(matches!(state.next(&other), GridWork::Begin(_)));
-        assert_eq!(state.next(&none), GridWork::Cancel);
-        assert_eq!(state.next(&none), GridWork::Nothing);
+        assert!(matches!(rested(&mut state, &other), GridWork::Begin(_)) && state.is_computing());
+        assert_eq!(rested(&mut state, &none), GridWork::Cancel);
+        assert!(rested(&mut state, &none) == GridWork::Nothing && !state.is_computing());
+    }
+
+    #[test]
+    fn each_side_saves_a_file_of_its_own() {
+        let (mut state, none) = (GridState::default(), PerSide::new(None, None));
+        let (csv, obj) = (task(Preset::Disk, Some(GridFormat::Csv)), task(Preset::Star, Some(GridFormat::Obj)));
+        state.save(Side::Source, Some(csv.clone()));
+        state.save(Side::Target, Some(obj.clone()));
+        assert_eq!(state.next(&none, 0.0), GridWork::Begin(csv.clone()));
+        state.accept(&csv, Finding::Progress(0.5), &none);
+        assert_eq!(Side::BOTH.map(|side| state.saving(side)), [Some(0.5), Some(0.0)]);
+        state.save(Side::Source, None);
+        assert_eq!(state.next(&none, 0.0), GridWork::Cancel);
+        assert_eq!(state.next(&none, 0.0), GridWork::Begin(obj.clone()), "the other side's is still wanted");
+        assert_eq!(state.accept(&obj, found(GridContent::File("v".into())), &none).unwrap().unwrap().bytes, b"v");
+        assert_eq!((state.next(&none, 0.0), state.saving(Side::Target)), (GridWork::Nothing, None));
+    }
+
+    #[test]
+    fn steps_of_a_drag_begin_nothing_and_end_what_is_under_way() {
+        let mut state = GridState::default();
+        let shown = |preset| PerSide::new(Some(task(preset, None)), None);
+        let is_wait = |work: GridWork, seconds: f64| matches!(work, GridWork::Wait(left) if (left - seconds).abs() < 1e-9);
+        assert!(matches!(rested(&mut state, &shown(Preset::Disk)), GridWork::Begin(_)));
+        assert_eq!(state.next(&shown(Preset::Square), 1.0), GridWork::Cancel);
+        assert!(is_wait(state.next(&shown(Preset::Square), 1.0), REST_SECONDS));
+        assert!(is_wait(state.next(&shown(Preset::Square), 1.1), REST_SECONDS - 0.1));
+        assert!(is_wait(state.next(&shown(Preset::Star), 1.2), REST_SECONDS), "another step");
+        assert!(matches!(state.next(&shown(Preset::Star), 1.2 + REST_SECONDS), GridWork::Begin(_)));
     }
 }

@@ -36,13 +36,16 @@ struct WrittenSide<'a> {
     interior: Option<DVec2>,
     anchor: f64,
     surface: Option<&'a SurfaceState>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    marks: Option<[f64; 4]>,
 }
 
 impl<'a> Written<'a> {
     pub fn new(session: &'a Session, is_file: bool) -> Self {
         let side = |side| {
             let SideState { domain, interior, anchor, surface } = session.side(side);
-            WrittenSide { domain, interior: *interior, anchor: *anchor, surface: surface.as_ref() }
+            let (marks, surface) = (session.marks(side), surface.as_ref());
+            WrittenSide { domain, interior: *interior, anchor: *anchor, surface, marks }
         };
         let (source, target) = (side(Side::Source), side(Side::Target));
         let pins = session.pins().map(Pins::pairs);
@@ -90,11 +93,12 @@ struct SideForm {
     interior: Option<DVec2>,
     anchor: f64,
     surface: Option<SurfaceState>,
+    marks: Option<[f64; 4]>,
 }
 
 impl SideForm {
     fn checked(self, side: Side) -> Result<SideState, FileError> {
-        let Self { outline, settings, interior, anchor, surface } = self;
+        let Self { outline, settings, interior, anchor, surface, marks: _ } = self;
         Ok(SideState { domain: DomainSpec { outline: outline.checked(side)?, settings }, interior, anchor, surface })
     }
 }
@@ -107,6 +111,7 @@ impl TryFrom<Version2> for Session {
         let pins = form.pins.map(Pins::new).transpose().map_err(FileError::Pins)?;
         let mut session = Self {
             pins,
+            marks: PerSide::new(form.source.marks, form.target.marks),
             region: form.added.region.into_iter().map(Dab::rounded).collect(),
             sides: PerSide::new(form.source.checked(Side::Source)?, form.target.checked(Side::Target)?),
             display: Display {

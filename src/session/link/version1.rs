@@ -124,6 +124,7 @@ impl Version1 {
                 },
             pins: _,   // a section of version 2
             region: _, // the same
+            marks: _, // in files only
         } = session;
         let sides = [source, target];
         Self {
@@ -194,6 +195,7 @@ impl Version1 {
             },
             pins: None,
             region: Vec::new(),
+            marks: PerSide::default(),
         };
         Ok(Decoded { session, missing })
     }
