@@ -83,7 +83,7 @@ pub fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed
     let Finished { map, summary, table } = making.finished(whole, [&sides[0], &sides[last]], making.points.as_ref())?;
     making.say_notes(&sides.iter().collect::<Vec<_>>());
     let chain = Some(Chain { links: linked, link_by_link });
-    Ok(Computed { map, constraints, summary: Summary { chain, ..summary }, table })
+    Ok(Computed { map, constraints, pins: None, summary: Summary { chain, ..summary }, table })
 }
 
 impl Link {

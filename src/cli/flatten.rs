@@ -112,7 +112,8 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
         let bytes = match format {
             Format::Surface(format) => flattened.encode(format),
             Format::Picture => {
-                surface_picture::png(&arguments.surface, map, cuts, &whole.constraints, false, arguments.size.0)?
+                let given = (&whole.constraints, PerSide::new(&[][..], &[][..]));
+                surface_picture::png(&arguments.surface, map, cuts, given, false, arguments.size.0)?
             }
         };
         files.push((path.clone(), bytes));

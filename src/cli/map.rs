@@ -13,9 +13,10 @@ use super::tables::{self, Best, Summary};
 use super::{picture, surface_picture};
 use crate::conformal::{
     ConformalMap, Constraints, Direction, Extension, KernelMode, MapError, MapSettings, PerSide, PrepareSettings,
-    PrepareTimings, Side,
+    PrepareTimings, Pins, Side,
 };
-use crate::export::{Ruling, boundary_csv, mapped_obj, panels, parts, svg};
+use crate::export::{Panel, Ruling, boundary_csv, mapped_obj, panels, parts, svg};
+use crate::geometry::DVec3;
 use crate::optimization::Criterion;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -28,12 +29,13 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
     let progress = Progress::new("reading");
-    let Computed { map, constraints, summary, table } =
+    let Computed { map, constraints, pins, summary, table } =
         if arguments.sides.is_chain() { chain::compute(arguments, &progress)? } else { compute(arguments, &progress)? };
     progress.enter("writing");
     let names = arguments.sides.names();
     let names = PerSide::new(names[0], names[names.len() - 1]);
-    let scene = Scene { map: &map, constraints, names };
+    let pins = PerSide::from_fn(|side| places(&map, pins.as_ref(), side));
+    let scene = Scene { map: &map, constraints, names, pins };
     let mut files = Vec::new();
     for (path, format) in arguments.out.iter().zip(formats) {
         let bytes = match &table {
@@ -81,6 +83,8 @@ fn in_words(summary: &Summary) -> String {
 pub(super) struct Computed {
     pub map: ConformalMap,
     pub constraints: Constraints,
+    /// The pins, where they determine the map.
+    pub pins: Option<Pins>,
     pub summary: Summary,
     /// The images of the given points.
     pub table: Option<String>,
@@ -175,11 +179,12 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
     progress.enter("the map");
     let sides = [&source, &target];
     let map = making.map(sides, &constraints, &asked)?;
-    let pinned = pins.map(|(pins, _)| Pinned::of(&map, &pins, &constraints, sides)).transpose()?;
+    let pins = pins.map(|(pins, _)| pins);
+    let pinned = pins.as_ref().map(|pins| Pinned::of(&map, pins, &constraints, sides)).transpose()?;
     let Finished { map, summary, table } = making.finished(map, sides, making.points.as_ref())?;
     making.say_notes(&sides);
     say_map_notes(&map, &asked);
-    Ok(Computed { map, constraints, summary: Summary { pinned, best, ..summary }, table })
+    Ok(Computed { map, constraints, pins, summary: Summary { pinned, best, ..summary }, table })
 }
 
 /// What maps are made with.
@@ -384,11 +389,20 @@ fn refused(error: &MapError, [source, target]: &[Asked<'_>; 2]) -> CliError {
     CliError::Input(if is_surface(side.name) { format!("{}: {error}", side.title) } else { error.to_string() })
 }
 
+/// Where pins lie on a side, in the plane z = 0 or in space; none without pins.
+fn places(map: &ConformalMap, pins: Option<&Pins>, side: Side) -> Vec<DVec3> {
+    let prepared = map.side(side);
+    let pairs = pins.map_or(&[][..], Pins::pairs);
+    pairs.iter().map(|pair| prepared.boundary_place(prepared.at_fraction(pair[side]))).collect()
+}
+
 /// A map with its constraints, as needed for drawing.
 struct Scene<'a> {
     map: &'a ConformalMap,
     constraints: Constraints,
     names: PerSide<&'a str>,
+    /// The places of the pins; empty: there are none.
+    pins: PerSide<Vec<DVec3>>,
 }
 
 impl Scene<'_> {
@@ -404,7 +418,11 @@ impl Scene<'_> {
 
     /// The planar parts of the map as SVG, with a square grid on the source, on the only outline, or on the disk.
     fn drawing(&self) -> String {
-        let parts = parts(self.map, &self.constraints);
+        let mut parts = parts(self.map, &self.constraints);
+        if !self.map.is_through_disk() {
+            // two surfaces are drawn as mapped into the disk, where the pins have no places
+            parts.iter_mut().for_each(|part| part.panel.pins = &self.pins[part.side]);
+        }
         let grid = parts.first().map(|part| {
             let (low, high) = part.panel.bounds();
             Ruling::Squares { origin: 0.5 * (low + high), spacing: (high - low).max_element() / GRID_CELLS }
@@ -413,13 +431,17 @@ impl Scene<'_> {
     }
 
     fn picture(&self, size: [u32; 2]) -> Result<Vec<u8>, CliError> {
-        let Self { map, constraints, names } = self;
+        let Self { map, constraints, names, pins } = self;
+        let pins = pins.as_ref().map(Vec::as_slice);
         match panels(map, constraints) {
-            Some(panels) => picture::png(&panels.into_array(), GRID_CELLS, size),
-            None if map.is_through_disk() => surface_picture::png_of_two(*names, map, constraints, size),
+            Some(PerSide { source, target }) => {
+                let panels = [Panel { pins: pins.source, ..source }, Panel { pins: pins.target, ..target }];
+                picture::png(&panels, GRID_CELLS, size)
+            }
+            None if map.is_through_disk() => surface_picture::png_of_two(*names, map, (constraints, pins), size),
             None => {
                 let side = map.mapped_side();
-                surface_picture::png(names[side], map, None, constraints, side == Side::Target, size)
+                surface_picture::png(names[side], map, None, (constraints, pins), side == Side::Target, size)
             }
         }
     }

@@ -20,13 +20,16 @@ const CELLS: f64 = 16.0;
 /// Free space around surface and outline, as a part of a half's smaller side.
 const MARGIN: f64 = 0.06;
 
+/// The constraints of a map, and the places of the pins that are shown instead; none without pins.
+pub type Given<'a> = (&'a Constraints, PerSide<&'a [DVec3]>);
+
 /// Draws the map of a surface into the plane as PNG, with the layout of `cuts` if there are any; the surface is on the
 /// right if `right`. A preset, identified by its name, is seen from its own direction.
 pub fn png(
     name: &str,
     map: &ConformalMap,
     cuts: Option<&CornerCuts>,
-    constraints: &Constraints,
+    (constraints, pins): Given<'_>,
     right: bool,
     size: [u32; 2],
 ) -> Result<Vec<u8>, CliError> {
@@ -44,7 +47,7 @@ pub fn png(
         boundary: domain.samples().points(),
         unresolved: &[],
         handles: planar_places(domain, x1, anchors[plane]),
-        pins: &[],
+        pins: pins[plane],
     };
     let style = checker(panel.bounds(), x1);
     // strokes and handles scale with the picture
@@ -60,7 +63,7 @@ pub fn png(
         coordinates: map.images(),
         camera: camera(preset(name), surface, 0.5 * f64::from(size[0]) / f64::from(size[1])),
         handles: places(surface, x2, anchors[side]),
-        pins: &[],
+        pins: pins[side],
         cells: None,
     };
     let flat = ScenePart::Plane(PlanarPart { panel, cells: Some(layout) });
@@ -74,7 +77,7 @@ pub fn png(
 pub fn png_of_two(
     names: PerSide<&str>,
     map: &ConformalMap,
-    constraints: &Constraints,
+    (constraints, pins): Given<'_>,
     size: [u32; 2],
 ) -> Result<Vec<u8>, CliError> {
     let aspect = 0.5 * f64::from(size[0]) / f64::from(size[1]);
@@ -87,7 +90,7 @@ pub fn png_of_two(
             coordinates: map.disk(side)?,
             camera: camera(preset(names[side]), surface, aspect),
             handles: places(surface, point, map.measure(side).anchor()),
-            pins: &[],
+            pins: pins[side],
             cells: None,
         }))
     };

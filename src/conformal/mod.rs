@@ -102,7 +102,7 @@ pub use map_error::{MapError, MapNote};
 pub use matching::{BoundaryCorrespondence, match_measures};
 pub use measure::HarmonicMeasure;
 pub use moebius::Moebius;
-pub use pins::{MOST_PINS, PinError, Pins};
+pub use pins::{MOST_PINS, PinError, PinSearch, Pins};
 pub use places::{Places, Unfold};
 pub use prepare::{
     KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, Stage, SurfaceSettings, Unprepared, prepare,

@@ -258,7 +258,7 @@ impl Model {
 
     /// Whether the full map is incomplete: [`Self::refresh`] continues it, except during a drag.
     pub fn is_pending(&self) -> bool {
-        self.under_way.is_pending()
+        self.under_way.is_pending() || self.pinned.is_behind()
     }
 
     /// The domain of a side that is shown: that of the map, or the prepared one before there is a map.

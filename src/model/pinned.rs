@@ -1,11 +1,16 @@
 //! Pins: boundary pairs that determine the map in place of the points, which follow from them.
 //!
 //! Before a map is requested, the points that the pins determine are placed in the session; everything else then reads
-//! them there. Pins that determine no map are said, and the last good ones come back.
+//! them there. Pins that determine no map are said, and the last good ones come back. On large surfaces the points are
+//! searched over several frames; meanwhile the last good map stays, and pins that are moved on wait for the end of the
+//! search, so that a drag is followed.
 
-use crate::conformal::{ConformalMap, InteriorPoint, PerSide, PinError, Pins, PreparedSide, Side};
+use crate::conformal::{
+    ConformalMap, Constraints, InteriorPoint, PerSide, PinError, PinSearch, Pins, PreparedSide, Side,
+};
 use crate::drawing::carried_fraction;
 use crate::language::{Message, key};
+use crate::laplace::Deadline;
 use crate::model::Model;
 use crate::model::pins_seen::PinsSeen;
 use crate::model::side::Next;
@@ -20,6 +25,10 @@ pub(super) struct Pinned {
     /// The pins of the last map that was computed without error.
     last_good: Option<Pins>,
     followed: Option<Followed>,
+    /// The search for the points, of these pins or of former ones.
+    search: Option<Search>,
+    /// Whether the points are not yet those of the pins.
+    is_behind: bool,
     /// Why the last ones determine no map.
     error: Option<(Side, Message)>,
     /// Whether that is a move of the pin in hand, which the end of the drag undoes.
@@ -27,6 +36,27 @@ pub(super) struct Pinned {
     /// Whether a dot is in hand.
     is_held: bool,
     pub(super) seen: PinsSeen,
+}
+
+/// The part of a frame's time for the map in which points are searched: 8 ms.
+const PART_OF_FRAME: f64 = 0.4;
+
+/// A search on these sides.
+#[derive(Debug)]
+struct Search {
+    search: PinSearch,
+    sides: PerSide<Weak<PreparedSide>>,
+}
+
+/// What has become of the points in a frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Following {
+    /// They are those of the pins, or there are no pins.
+    Done,
+    /// They are those of pins that have been moved on.
+    Behind,
+    /// They are searched.
+    Searching,
 }
 
 /// Points that were computed from pins.
@@ -37,10 +67,9 @@ struct Followed {
     points: PerSide<SidePoints>,
 }
 
-impl Followed {
-    fn is_on(&self, sides: PerSide<&Arc<PreparedSide>>) -> bool {
-        Side::BOTH.into_iter().all(|side| self.sides[side].as_ptr() == Arc::as_ptr(sides[side]))
-    }
+/// Whether the sides are the same ones.
+fn are(known: &PerSide<Weak<PreparedSide>>, sides: PerSide<&Arc<PreparedSide>>) -> bool {
+    Side::BOTH.into_iter().all(|side| known[side].as_ptr() == Arc::as_ptr(sides[side]))
 }
 
 impl Pinned {
@@ -70,6 +99,11 @@ impl Pinned {
             error: self.error.take(),
             ..Self::default()
         };
+    }
+
+    /// Whether the points are not yet those of the pins.
+    pub fn is_behind(&self) -> bool {
+        self.is_behind
     }
 
     /// The pins of a session whose shapes are still being prepared.
@@ -210,34 +244,67 @@ impl Model {
         true
     }
 
-    /// Places the points that follow from the pins. Pins that determine no map are replaced by those of the present
-    /// points, or dropped if there are none.
-    pub(super) fn follow_pins(&mut self) {
+    /// Places the points that follow from the pins, or searches them for a part of a frame. Pins that determine no map are
+    /// replaced by those of the present points, or dropped if there are none.
+    pub(super) fn follow_pins(&mut self) -> Following {
+        let following = self.search_points();
+        self.pinned.is_behind = following != Following::Done;
+        following
+    }
+
+    fn search_points(&mut self) -> Following {
         let sides = PerSide::from_fn(|side| self.prepared(side).cloned()).both();
-        let (Some(pins), Some(sides)) = (self.session.pins().cloned(), sides) else { return };
-        let present = PerSide::from_fn(|side| self.session.side(side).points());
-        let followed = self.pinned.followed.as_ref().filter(|known| known.points == present);
-        let followed = followed.filter(|known| known.is_on(sides.as_ref()));
-        if followed.is_some_and(|known| known.pins == pins) {
-            return;
+        let search = self.pinned.search.take();
+        let (Some(pins), Some(sides)) = (self.session.pins().cloned(), sides) else { return Following::Done };
+        if self.followed(&sides).is_some_and(|known| known.pins == pins) {
+            return Following::Done;
         }
-        let near = PerSide::from_fn(|side| self.point(side)).both();
-        match pins.constraints(sides.as_ref().map(Arc::as_ref), near) {
+        let mut search = match search.filter(|search| are(&search.sides, sides.as_ref())) {
+            Some(search) => search,
+            None => self.new_search(pins.clone(), &sides),
+        };
+        let deadline = Deadline::in_ms(PART_OF_FRAME * self.update_ms);
+        let Some(found) = search.search.advance(sides.as_ref().map(Arc::as_ref), deadline) else {
+            self.pinned.search = Some(search);
+            return Following::Searching;
+        };
+        let is_latest = *search.search.pins() == pins;
+        match found {
             Ok(constraints) => {
-                let points = PerSide::from_fn(|side| side_points(constraints.points[side], constraints.anchors[side]));
-                for (side, points) in points.iter() {
-                    self.session.apply(Command::PlacePoints { side, points: *points });
-                }
-                let points = PerSide::from_fn(|side| self.session.side(side).points()); // anchors modulo 1
-                self.pinned.error = None;
-                self.pinned.followed = Some(Followed { pins, sides: sides.as_ref().map(Arc::downgrade), points });
+                self.place_points(&constraints, search.search.pins().clone(), &sides);
+                if is_latest { Following::Done } else { Following::Behind }
             }
+            Err(_) if !is_latest => Following::Searching,
             Err(error) => {
-                let present = followed.map(|known| known.pins.clone());
+                let present = self.followed(&sides).map(|known| known.pins.clone());
                 self.pinned.refuse(&error, Side::Target);
                 self.session.apply(Command::SetPins(present));
+                Following::Done
             }
         }
+    }
+
+    /// The pins that the present points follow from.
+    fn followed(&self, sides: &PerSide<Arc<PreparedSide>>) -> Option<&Followed> {
+        let present = PerSide::from_fn(|side| self.session.side(side).points());
+        let followed = self.pinned.followed.as_ref().filter(|known| known.points == present);
+        followed.filter(|known| are(&known.sides, sides.as_ref()))
+    }
+
+    fn new_search(&self, pins: Pins, sides: &PerSide<Arc<PreparedSide>>) -> Search {
+        let near = PerSide::from_fn(|side| self.point(side)).both();
+        let near = near.unwrap_or_else(|| sides.as_ref().map(|side| side.default_point()));
+        Search { search: PinSearch::new(pins, near), sides: sides.as_ref().map(Arc::downgrade) }
+    }
+
+    fn place_points(&mut self, constraints: &Constraints, pins: Pins, sides: &PerSide<Arc<PreparedSide>>) {
+        for side in Side::BOTH {
+            let points = side_points(constraints.points[side], constraints.anchors[side]);
+            self.session.apply(Command::PlacePoints { side, points });
+        }
+        let points = PerSide::from_fn(|side| self.session.side(side).points()); // anchors modulo 1
+        self.pinned.error = None;
+        self.pinned.followed = Some(Followed { pins, sides: sides.as_ref().map(Arc::downgrade), points });
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::conformal::{ConformalMap, Extension, PerSide, Side};
 use crate::laplace::Deadline;
 use crate::model::overlays::walks::WalkAction;
+use crate::model::pinned::Following;
 use crate::model::overlays::{OverlayState, Situation};
 use crate::model::{Changes, Model, Refines, pattern};
 use crate::session::{Colouring, Session};
@@ -29,14 +30,17 @@ impl Model {
             changes.meshes |= self.take_sides();
             self.changed.points = true;
         }
-        if std::mem::take(&mut self.changed.points) {
-            self.follow_pins();
-            self.under_way.revision += 1;
-            self.under_way.want();
+        if self.changed.points {
+            let following = self.follow_pins();
+            self.changed.points = following != Following::Done;
+            if following != Following::Searching {
+                self.under_way.revision += 1;
+                self.under_way.want();
+            }
         } else if !self.is_pending() && self.lacks_grid() {
             self.under_way.want();
         }
-        if self.is_pending() {
+        if self.under_way.is_pending() {
             changes |= self.go_on(dragging);
         }
         if !self.is_pending() && !dragging {

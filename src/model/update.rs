@@ -115,7 +115,9 @@ impl Model {
             for side in Side::BOTH {
                 self.sides[side].last_good = self.session.side(side).points();
             }
-            self.pinned.note_good(self.session.pins());
+            if !self.pinned.is_behind() {
+                self.pinned.note_good(self.session.pins());
+            }
         }
         self.under_way.error = None;
         let (meshes, map) = (replaced || retired || turned, replaced || retired || renewed);

@@ -6,19 +6,22 @@
 //! by the linear interpolation of the discrete Poisson kernel.
 
 use super::difference;
-use crate::conformal::{InteriorPoint, Places, PreparedSide, harmonic_extension};
+use super::slices::{INTERRUPTED, Slices};
+use crate::conformal::{InteriorPoint, Places, PreparedSide};
 use crate::geometry::DVec2;
 use crate::laplace::NotConverged;
 use crate::mesh::{BarycentricPoint, TriangleId};
+use std::sync::Arc;
 
 /// The measures (u₁, u₂) of the first two arcs at every vertex.
 pub struct Arcs {
-    values: Vec<DVec2>,
+    values: Arc<Vec<DVec2>>,
 }
 
 impl Arcs {
-    /// The arcs from each of three fractions of the boundary, which ascend counter-clockwise, to the next.
-    pub fn new(side: &PreparedSide, marks: [f64; 3]) -> Result<Self, NotConverged> {
+    /// The arcs from each of three fractions of the boundary, which ascend counter-clockwise, to the next; a step of
+    /// `slices`.
+    pub fn new(side: &PreparedSide, marks: [f64; 3], slices: &Slices) -> Result<Self, NotConverged> {
         let fractions = side.fractions();
         let m = fractions.len();
         let values = (0..m).map(|k| {
@@ -28,7 +31,7 @@ impl Arcs {
             let share = |arc: usize| hat_within([before, after], [marks[arc] - at, marks[arc + 1] - at]);
             DVec2::new(share(0), share(1))
         });
-        Ok(Self { values: harmonic_extension(side, values)? })
+        slices.functions(side, values).unwrap_or(Err(INTERRUPTED)).map(|values| Self { values })
     }
 
     /// The point at which the interpolated functions have these values; where rounding or finite elements leave none,

@@ -17,6 +17,7 @@
 //! | `arcs` | the arcs as discrete harmonic functions, and points where these have given values |
 //! | `three` | the map through three pins: where it is seen from, and its anchor |
 //! | `newton` | the point of a side that sees given measures |
+//! | `slices` | the search, interrupted by deadlines |
 //! | `start` | where Newton's method begins next to a short part of the boundary |
 //! | `fit`, `moebius` | the map that misses more than three pins least |
 //! | `images` | boundary pairs of a map that is there |
@@ -32,15 +33,18 @@ mod fit;
 mod images;
 mod newton;
 mod order;
+mod slices;
 mod start;
 mod three;
 mod view;
 
 use super::{ConformalMap, Constraints, InteriorPoint, MapError, PerSide, PreparedSide, Side};
 use crate::geometry::DVec2;
-use crate::laplace::NotConverged;
+use crate::laplace::{Deadline, NotConverged};
 use crate::outline::BoundaryPoint;
 use fit::Fit;
+pub use slices::PinSearch;
+use slices::Slices;
 use three::Three;
 use view::View;
 
@@ -167,7 +171,8 @@ impl Pins {
 
     /// The constraints of the map through three pins, or of the one that misses more of them least (by the sum of squares):
     /// anchors at one of the pins, and points that see the arcs between the pins under the same measures. `near` are the
-    /// points of a map nearby, such as the last one of a drag; without them the sides' default points stand in.
+    /// points of a map nearby, such as the last one of a drag; without them the sides' default points stand in. [`PinSearch`]
+    /// does the same in slices of time.
     ///
     /// Where a side's [equation](super::BoundaryEquation::resolves) does not resolve its point, the side is to be prepared
     /// anew with that point, and the constraints are to be computed again.
@@ -177,13 +182,23 @@ impl Pins {
         near: Option<PerSide<InteriorPoint>>,
     ) -> Result<Constraints, PinError> {
         let near = near.unwrap_or(sides.map(PreparedSide::default_point));
+        self.constraints_in(sides, near, &Slices::new(Deadline::NEVER))
+    }
+
+    /// [`Self::constraints`], found in steps of `slices`.
+    fn constraints_in(
+        &self,
+        sides: PerSide<&PreparedSide>,
+        near: PerSide<InteriorPoint>,
+        slices: &Slices,
+    ) -> Result<Constraints, PinError> {
         let triple = if self.0.len() == 3 { [0, 1, 2] } else { order::spread(&self.0) };
-        let constraints = Three::new(triple.map(|k| self.0[k])).constraints(sides, near)?;
+        let constraints = Three::new(triple.map(|k| self.0[k])).constraints(sides, near, slices)?;
         if self.0.len() == 3 {
             return Ok(constraints);
         }
-        let fitted = self.fitted(sides, &constraints)?;
-        Three::new(fitted).constraints(sides, constraints.points)
+        let fitted = self.fitted(sides, &constraints, slices)?;
+        Three::new(fitted).constraints(sides, constraints.points, slices)
     }
 
     /// Three boundary pairs of the map that misses the pins least, as seen from the points of a map nearby.
@@ -191,8 +206,9 @@ impl Pins {
         &self,
         sides: PerSide<&PreparedSide>,
         Constraints { points, anchors, .. }: &Constraints,
+        slices: &Slices,
     ) -> Result<[PerSide<f64>; 3], PinError> {
-        let view = |side| View::new(side, sides[side], points[side], anchors[side]);
+        let view = |side| View::new((side, sides[side]), points[side], anchors[side], slices);
         let (source, target) = (view(Side::Source)?, view(Side::Target)?);
         let count = self.0.len();
         let neighbors = (0..count).map(|k| [k, (k + 1) % count, (k + 2) % count]);

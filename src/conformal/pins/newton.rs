@@ -7,6 +7,7 @@
 
 use super::arcs::Arcs;
 use super::difference;
+use super::slices::Slices;
 use super::view::View;
 use crate::conformal::{InteriorPoint, MapError, PreparedSide, Side};
 use crate::geometry::{DMat2, DVec2};
@@ -40,6 +41,7 @@ pub struct Wanted<'a> {
     pub prepared: &'a PreparedSide,
     pub marks: [f64; 3],
     pub measures: DVec2,
+    pub slices: &'a Slices,
 }
 
 /// A point, and by how much the measures seen from there are too large.
@@ -50,7 +52,7 @@ struct Try<'a> {
 
 impl<'a> Wanted<'a> {
     fn try_at(&self, x: InteriorPoint) -> Result<Try<'a>, MapError> {
-        let view = View::new(self.side, self.prepared, x, self.marks[0])?;
+        let view = View::new((self.side, self.prepared), x, self.marks[0], self.slices)?;
         let off = view.arcs(self.marks) - self.measures;
         Ok(Try { view, off })
     }

@@ -8,6 +8,7 @@
 
 use super::arcs::Arcs;
 use super::newton::{Found, Wanted};
+use super::slices::Slices;
 use super::view::View;
 use super::{PinError, order, start};
 use crate::conformal::{Constraints, InteriorPoint, MapError, PerSide, PreparedSide, Side};
@@ -34,6 +35,7 @@ struct Marked<'a> {
     side: Side,
     prepared: &'a PreparedSide,
     marks: [f64; 3],
+    slices: &'a Slices,
 }
 
 impl Three {
@@ -43,13 +45,15 @@ impl Three {
         Self(if is_counter_clockwise { [a, b, c] } else { [a, c, b] })
     }
 
-    /// The constraints of the map through the pairs: that with the points `near`, if these see the arcs well.
+    /// The constraints of the map through the pairs: that with the points `near`, if these see the arcs well. Found in
+    /// steps of `slices`.
     pub fn constraints(
         &self,
         sides: PerSide<&PreparedSide>,
         near: PerSide<InteriorPoint>,
+        slices: &Slices,
     ) -> Result<Constraints, PinError> {
-        let marked = |side: Side| Marked { side, prepared: sides[side], marks: self.0.map(|pair| pair[side]) };
+        let marked = |side: Side| Marked { side, prepared: sides[side], marks: self.0.map(|pair| pair[side]), slices };
         let [source, target] = Side::BOTH.map(marked);
         let is_wide = source.least_gap().min(target.least_gap()) >= WIDE;
         let [free, other] = match freer([&source, &target], is_wide) {
@@ -90,15 +94,17 @@ fn freer([source, target]: [&Marked<'_>; 2], is_wide: bool) -> Side {
 
 impl<'a> Marked<'a> {
     fn view(&self, x: InteriorPoint) -> Result<View<'a>, MapError> {
-        View::new(self.side, self.prepared, x, self.marks[0])
+        View::new((self.side, self.prepared), x, self.marks[0], self.slices)
     }
 
     fn wanted(&self, measures: DVec2) -> Wanted<'a> {
-        Wanted { side: self.side, prepared: self.prepared, marks: self.marks, measures }
+        let Self { side, prepared, marks, slices } = *self;
+        Wanted { side, prepared, marks, measures, slices }
     }
 
     fn arcs(&self) -> Result<Arcs, PinError> {
-        Arcs::new(self.prepared, self.marks).map_err(|error| PinError::NotConverged { side: self.side, error })
+        let arcs = Arcs::new(self.prepared, self.marks, self.slices);
+        arcs.map_err(|error| PinError::NotConverged { side: self.side, error })
     }
 
     fn not_found(&self) -> PinError {

@@ -4,9 +4,10 @@
 //! g′(0) = ∫ γ e^{−2πiω} dω over the boundary γ, tells how measures change with the point: the harmonic function that is 1
 //! on the arc from angle A to B and 0 elsewhere is (B − A)/2π + Re(i (e^{−iB} − e^{−iA}) w)/π + O(w²) at w.
 
+use super::slices::{INTERRUPTED, Slices};
 use crate::boundary_integral::{self, BoundaryIntegralError};
 use crate::conformal::{
-    CurveBoundary, HarmonicMeasure, InteriorPoint, MapError, PreparedSide, Side, SideGeometry, poisson_kernel,
+    CurveBoundary, HarmonicMeasure, InteriorPoint, MapError, PreparedSide, Side, SideGeometry,
 };
 use crate::geometry::{DMat2, DVec2, DVec3};
 use crate::mesh::{BarycentricPoint, locate};
@@ -30,29 +31,37 @@ pub struct View<'a> {
 
 enum Measure<'a> {
     Curve(&'a CurveBoundary, Arc<boundary_integral::HarmonicMeasure>),
-    Mesh(HarmonicMeasure),
+    Mesh(Arc<HarmonicMeasure>),
 }
 
 impl<'a> View<'a> {
-    /// The measure seen from `x`. Errors: `x` is not inside, or the kernel there could not be computed.
-    pub fn new(side: Side, prepared: &'a PreparedSide, x: InteriorPoint, anchor: f64) -> Result<Self, MapError> {
+    /// The measure seen from `x`, a step of `slices`. Errors: `x` is not inside, or the kernel there could not be computed.
+    pub fn new(
+        (side, prepared): (Side, &'a PreparedSide),
+        x: InteriorPoint,
+        anchor: f64,
+        slices: &Slices,
+    ) -> Result<Self, MapError> {
+        let on_mesh = |x: BarycentricPoint| {
+            let measure = slices.on_mesh(prepared, x, anchor).unwrap_or(Err(INTERRUPTED));
+            measure.map(Measure::Mesh).map_err(|error| MapError::NotConverged { side, error })
+        };
         let measure = match (prepared.geometry(), x) {
             (SideGeometry::Plane(domain), InteriorPoint::Plane(x)) => {
                 let outside = MapError::PointOutside { side, x: x.x, y: x.y };
                 if let Some(equation) = prepared.equation() {
-                    let measure = equation.harmonic_measure(x).map_err(|error| match error {
-                        BoundaryIntegralError::NotInside { .. } => outside,
-                        error => MapError::BoundaryIntegral { side, error },
-                    })?;
-                    Measure::Curve(equation.boundary(), measure)
+                    match slices.on_curve(equation, x) {
+                        Some(Ok(measure)) => Measure::Curve(equation.boundary(), measure),
+                        Some(Err(BoundaryIntegralError::NotInside { .. })) => return Err(outside),
+                        Some(Err(error)) => return Err(MapError::BoundaryIntegral { side, error }),
+                        None => return Err(MapError::NotConverged { side, error: INTERRUPTED }),
+                    }
                 } else {
                     let located = if prepared.contains(x) { locate(domain.mesh(), x, None) } else { None };
-                    Measure::Mesh(by_finite_elements(side, prepared, located.ok_or(outside)?, anchor)?)
+                    on_mesh(located.ok_or(outside)?)?
                 }
             }
-            (SideGeometry::Space(_), InteriorPoint::Surface(x)) => {
-                Measure::Mesh(by_finite_elements(side, prepared, x, anchor)?)
-            }
+            (SideGeometry::Space(_), InteriorPoint::Surface(x)) => on_mesh(x)?,
             _ => return Err(MapError::OtherKind { side }),
         };
         Ok(Self { prepared, anchor, measure })
@@ -121,16 +130,4 @@ impl<'a> View<'a> {
         let [first, second] = [b - a, c - b].map(|chord| Complex64::I * chord / (PI * expansion));
         DMat2::from_cols(DVec2::new(first.re, second.re), DVec2::new(-first.im, -second.im))
     }
-}
-
-fn by_finite_elements(
-    side: Side,
-    prepared: &PreparedSide,
-    x: BarycentricPoint,
-    anchor: f64,
-) -> Result<HarmonicMeasure, MapError> {
-    let kernel = poisson_kernel(prepared, x).map_err(|error| MapError::NotConverged { side, error })?;
-    let mut measure = HarmonicMeasure::default();
-    measure.set_along(prepared.edge_lengths(), &kernel, prepared.at_fraction(anchor));
-    Ok(measure)
 }
