@@ -426,4 +426,7 @@ fn leave_out_longest(outlines: &mut PerSide<Prepared>) {
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
+mod shortened_tests;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests;
