@@ -6,6 +6,7 @@ mod corners;
 mod first_visit;
 mod fitting;
 mod frame;
+mod incoming;
 mod language;
 mod lessons;
 mod locks;

@@ -159,7 +159,9 @@ fn a_mark_is_moved_by_keys_and_by_a_finger_and_locked_with_the_comparisons() {
     down.into_iter().for_each(|event| harness.event(event));
     harness.step();
     let to = at + egui::vec2(0.0, 20.0);
-    [touch(egui::TouchPhase::Move, to), egui::Event::PointerMoved(to)].into_iter().for_each(|event| harness.event(event));
+    [touch(egui::TouchPhase::Move, to), egui::Event::PointerMoved(to)]
+        .into_iter()
+        .for_each(|event| harness.event(event));
     harness.step();
     [touch(egui::TouchPhase::End, to), button(to, false)].into_iter().for_each(|event| harness.event(event));
     harness.step();
