@@ -25,12 +25,20 @@ const MOST_GROWTH: f64 = 0.5;
 /// The step at which the search for the least scale ends, in distances from the boundary: the scale is quadratic there.
 const SETTLED: f64 = 1e-8;
 
+/// Places on each edge of the boundary at which log k is taken, beside its ends.
+const BETWEEN: u32 = 3;
+/// Edges on which an extreme of log k is looked for, and halvings of the step by which that is done.
+const POLISHED: usize = 16;
+const HALVINGS: u32 = 30;
+
 /// f, on a mesh.
 #[derive(Debug, Clone)]
 pub struct Development {
     mesh: TriMesh,
     potential: Potential,
     residual: f64,
+    /// The largest log k on the boundary.
+    most: f64,
     /// log k at the vertices.
     logs: Vec<f64>,
     images: Vec<DVec2>,
@@ -46,7 +54,9 @@ impl Development {
         let log = |&z: &DVec2| potential.value(z).re - log_metric(z);
         let logs: Vec<f64> = mesh.vertices().par_iter().map(log).collect();
         let rule = gauss_legendre(NODES);
-        let mut development = Self { mesh, potential, residual, logs, images: Vec::new(), rule };
+        let [lowest, most] = boundary_extremes(boundary, &|z| log(&z));
+        let residual = residual.max(most).max(-lowest);
+        let mut development = Self { mesh, potential, residual, most, logs, images: Vec::new(), rule };
         development.images = development.integrated();
         Ok(development)
     }
@@ -117,15 +127,14 @@ impl Development {
         best
     }
 
-    /// The largest log k at boundary vertices.
+    /// The largest log k on the boundary, and so anywhere: log k is subharmonic.
     pub fn most(&self) -> f64 {
-        self.logs[..self.mesh.boundary_count() as usize].iter().copied().fold(f64::NEG_INFINITY, f64::max)
+        self.most
     }
 
     /// The largest deviation of log k from 0 on the boundary.
     pub fn residual(&self) -> f64 {
-        let of_vertices = self.logs[..self.mesh.boundary_count() as usize].iter().map(|log| log.abs());
-        of_vertices.fold(self.residual, f64::max)
+        self.residual
     }
 
     pub fn mesh(&self) -> &TriMesh {
@@ -143,6 +152,41 @@ impl Development {
     pub fn boundary_images(&self) -> &[DVec2] {
         &self.images[..self.mesh.boundary_count() as usize]
     }
+}
+
+/// The least and the largest value on a closed polygon of a function that is smooth along its edges: at vertices and
+/// [`BETWEEN`] places of each edge, then polished by halved steps on the [`POLISHED`] edges with the best of them.
+fn boundary_extremes(polygon: &[DVec2], value: &(dyn Fn(DVec2) -> f64 + Sync)) -> [f64; 2] {
+    let count = polygon.len();
+    let at = |k: usize, share: f64| value(polygon[k].lerp(polygon[(k + 1) % count], share));
+    let step = 1.0 / f64::from(BETWEEN + 1);
+    let values = |k: usize| (0..=BETWEEN).map(|j| f64::from(j) * step).map(|share| (share, at(k, share))).collect();
+    let taken: Vec<Vec<(f64, f64)>> = (0..count).into_par_iter().map(values).collect();
+    [-1.0, 1.0].map(|sign| {
+        let of_edge = |edge: &Vec<(f64, f64)>| {
+            let best = |a: (f64, f64), b: (f64, f64)| if sign * b.1 > sign * a.1 { b } else { a };
+            edge.iter().copied().reduce(best).unwrap_or_default()
+        };
+        let mut best: Vec<(usize, (f64, f64))> = taken.iter().map(of_edge).enumerate().collect();
+        best.sort_by(|a, b| (sign * b.1.1).total_cmp(&(sign * a.1.1)));
+        let polished = best.into_iter().take(POLISHED).map(|(k, start)| polished(start, step, sign, &|share| at(k, share)));
+        sign * polished.map(|value| sign * value).fold(f64::NEG_INFINITY, f64::max)
+    })
+}
+
+/// The extreme of this sign near a place of an edge.
+fn polished((mut share, mut best): (f64, f64), mut step: f64, sign: f64, at: &dyn Fn(f64) -> f64) -> f64 {
+    for _ in 0..HALVINGS {
+        step *= 0.5;
+        for next in [share - step, share + step].map(|share| share.clamp(0.0, 1.0)) {
+            let value = at(next);
+            if sign * value > sign * best {
+                (share, best) = (next, value);
+                break;
+            }
+        }
+    }
+    best
 }
 
 /// Edges from a vertex that is reached to one that is not, until all are reached from vertex 0.

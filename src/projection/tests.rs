@@ -130,6 +130,24 @@ fn scale_of_the_map_is_that_of_the_images() {
     assert!((found / expected - 1.0).abs() < 2.0 * projection.residual() + 1e-5, "{found} and {expected}");
 }
 
+/// The largest scale is on the boundary, and in general between two of its points.
+#[test]
+fn the_largest_scale_is_found_between_the_points_of_the_boundary() {
+    let l = [[0.0, 40.0], [20.0, 40.0], [20.0, 50.0], [10.0, 50.0], [10.0, 60.0], [0.0, 60.0]];
+    let projection = Projection::new(Region::new(&rings(&[&l])).unwrap()).unwrap();
+    let vertices = projection.region.polygon().vertices();
+    let n = vertices.len();
+    let log = |k: usize, share: f64| projection.development.log_scale(vertices[k].lerp(vertices[(k + 1) % n], share));
+    let at_points = (0..n).map(|k| log(k, 0.0)).fold(f64::NEG_INFINITY, f64::max);
+    let dense = (0..n).flat_map(|k| (0..200).map(move |j| (k, f64::from(j) / 200.0)));
+    let values: Vec<f64> = dense.map(|(k, share)| log(k, share)).collect();
+    let [lowest, most] = [f64::min, f64::max].map(|of| values.iter().copied().reduce(of).unwrap());
+    let (found, residual) = (projection.most_log, projection.residual());
+    println!("largest log k: {at_points:.6e} at points, {most:.6e} on a dense set, {found:.6e} found; {residual:.3e}");
+    assert!(at_points < most && most <= found + 1e-15 && found < most + 0.01 * (most - at_points));
+    assert!(residual >= most && residual >= -lowest);
+}
+
 /// Latitudes whose sums and differences round.
 #[test]
 fn cuts_are_joined_at_any_latitude() {
