@@ -132,15 +132,15 @@ pub(super) fn caught(app: &RiemapApp) -> Option<String> {
         HandleKind::Pin(pin) => {
             samples.position(samples.at_fraction(model.pins()?.pairs().get(usize::from(pin))?[side]))
         }
-        HandleKind::Mark(mark) => {
-            samples.position(samples.at_fraction(*model.marks(side)?.get(usize::from(mark))?))
-        }
+        HandleKind::Mark(mark) => samples.position(samples.at_fraction(*model.marks(side)?.get(usize::from(mark))?)),
     };
     let (low, high) = model.extent(side)?;
     // a boundary point lies on the samples, next to what catches it
     let expected = match kind {
         HandleKind::Interior => catch.place,
-        HandleKind::Boundary | HandleKind::Pin(_) | HandleKind::Mark(_) => samples.position(samples.nearest(catch.place)),
+        HandleKind::Boundary | HandleKind::Pin(_) | HandleKind::Mark(_) => {
+            samples.position(samples.nearest(catch.place))
+        }
     };
     let is_there = place.distance(expected) <= SAME_PLACE * (high - low).max_element();
     let words = catch.by.words(model.symmetries(side).and_then(|found| found.as_ref().ok())).filter(|_| is_there)?;

@@ -15,6 +15,10 @@ const FINGER_REACH: f32 = 4.0;
 /// Places nearer to each other on the screen are one, in points: the end of an axis in a corner.
 const ONE_PLACE: f32 = 1.0;
 
+/// The longest way along the boundary to a place that catches y, in straight distances: around a right angle it is 1.4, at
+/// a corner of 30° up to 4; across a channel it is that to its end and back.
+const MOST_DETOUR: f32 = 4.0;
+
 /// What catches dots; axes are counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Catcher {
@@ -65,18 +69,23 @@ pub fn of_interior(
 }
 
 /// What catches a boundary point at `at`: the nearest end of an axis or corner. `distance` is that of two places on the
-/// screen.
+/// screen, `along` that of a place of the boundary from `at` along the boundary: what lies across a narrow channel, or
+/// behind a thin wall, catches nothing.
 pub fn of_boundary(
     found: Option<&FoundSymmetries>,
     corners: &[DVec2],
     at: DVec2,
     reach: f32,
     distance: impl Fn(DVec2, DVec2) -> f32,
+    along: impl Fn(DVec2) -> f32,
 ) -> Option<Catch> {
     let ends = found.into_iter().flat_map(|found| found.ends.iter().enumerate());
     let ends = ends.flat_map(|(axis, ends)| ends.iter().map(move |&place| Catch { by: Catcher::End(axis), place }));
     let corners = corners.iter().map(|&place| Catch { by: Catcher::Corner, place });
-    nearest(&ends.chain(corners).collect::<Vec<_>>(), at, reach, &distance)
+    // places farther than these neither catch nor keep another one from catching
+    let near = |catch: &Catch| distance(at, catch.place) < 4.0 * reach;
+    let is_beside = |catch: &Catch| along(catch.place) <= MOST_DETOUR * distance(at, catch.place) + ONE_PLACE;
+    nearest(&ends.chain(corners).filter(near).filter(is_beside).collect::<Vec<_>>(), at, reach, &distance)
 }
 
 /// The nearest place within reach, unless it is farther than a quarter of the way over it to the next one.
@@ -154,7 +163,8 @@ mod tests {
         let found = square();
         let corners = Preset::Square.outline().corner_places();
         let caught = |found: Option<&FoundSymmetries>, x: f64, y: f64| {
-            of_boundary(found, &corners, DVec2::new(x, y), REACH, on_screen)
+            let at = DVec2::new(x, y);
+            of_boundary(found, &corners, at, REACH, on_screen, |place| on_screen(at, place))
         };
         let corner = Catch { by: Catcher::Corner, place: DVec2::splat(0.9) };
         assert_eq!(caught(None, 0.85, 0.9), Some(corner));
@@ -164,12 +174,31 @@ mod tests {
         assert_eq!(caught(Some(&found), 0.81, 0.9), None);
     }
 
+    /// A channel five points wide, with a corner on its far wall and one on this one.
+    #[test]
+    fn a_corner_across_a_channel_catches_nothing() {
+        let corners = [DVec2::new(1.0, 0.05), DVec2::new(1.4, 0.0)];
+        let caught = |x: f64, across: f32| {
+            let at = DVec2::new(x, 0.0);
+            // along the boundary the far wall is behind the channel's end
+            let along = |place: DVec2| if place.y > 0.0 { across } else { on_screen(at, place) };
+            of_boundary(None, &corners, at, REACH, on_screen, along).map(|catch| catch.place.x)
+        };
+        assert_eq!(caught(1.0, 900.0), None);
+        assert_eq!(caught(1.0, 7.0), Some(1.0), "two corners of a step");
+        assert_eq!(caught(1.38, 900.0), Some(1.4), "nor does it keep another corner from catching");
+    }
+
     /// A coast's corners are five points apart: y stops in each, and is free over half of the way to the next.
     #[test]
     fn between_close_corners_a_point_is_free() {
         let corners: Vec<DVec2> = (0..200).map(|k| DVec2::new(0.05 * f64::from(k), 0.0)).collect();
         let caught =
-            |x: f64| of_boundary(None, &corners, DVec2::new(x, 0.0), REACH, on_screen).map(|catch| catch.place.x);
+            |x: f64| {
+                let at = DVec2::new(x, 0.0);
+                let found = of_boundary(None, &corners, at, REACH, on_screen, |place| on_screen(at, place));
+                found.map(|catch| catch.place.x)
+            };
         assert_eq!(caught(5.01), Some(5.0));
         assert_eq!([5.013, 5.02, 5.03, 5.037].map(caught), [None; 4]);
         assert!(caught(5.04).is_some_and(|x| (x - 5.05).abs() < 1e-12));

@@ -213,9 +213,15 @@ fn caught(
         return snapping::of_interior(found?, at, reach, distance).find(is_inside);
     }
     let samples = model.domain(side)?.samples();
-    let on_boundary = samples.position(samples.nearest(at));
+    let nearest = samples.nearest(at);
+    let (on_boundary, fraction) = (samples.position(nearest), samples.fraction_at(nearest));
     let corners = handles.corners.get_or_insert_with(|| model.corner_places(side));
-    snapping::of_boundary(found, corners, on_boundary, reach, distance)
+    let length = distance(DVec2::ZERO, DVec2::X) * samples.edge_lengths().iter().sum::<f64>() as f32;
+    let along = |place| {
+        let way = (samples.fraction_at(samples.nearest(place)) - fraction).rem_euclid(1.0);
+        length * way.min(1.0 - way) as f32
+    };
+    snapping::of_boundary(found, corners, on_boundary, reach, distance, along)
 }
 
 /// Pans by dragging, unless something in the picture is `held`, and zooms by scrolling. A double-click fits the outline
