@@ -112,7 +112,7 @@ impl RiemapApp {
             None => {}
             Some(Arrived::Outline(origin, geographic)) => {
                 self.begin_change(Touched::ANOTHER_SHAPE);
-                self.messages.offer = geographic.map(Offer::to_project).or(self.messages.offer.take());
+                geographic.map(Offer::to_project).into_iter().for_each(|offer| self.messages.suggest(offer));
                 if origin == Origin::PastedText {
                     self.editor.end_paste(&mut self.model, &mut self.pictures.views);
                 }

@@ -50,6 +50,7 @@ impl MessageBar {
 /// Determines the message and the offer of this frame.
 pub fn begin(app: &mut RiemapApp, ui: &Ui) {
     offer::expire(ui, &mut app.messages.offer);
+    app.messages.go_on();
     let held = ui.input(|input| input.pointer.any_down());
     app.messages.bar.take_in(app.messages.common.as_ref(), app.messages.offer.is_some(), held);
 }

@@ -30,6 +30,23 @@ pub struct Messages {
     /// The picture that can be traced, or the file that can be shown as a map.
     pub offer: Option<Offer>,
     pub notice: Option<Notice>,
+    /// What is offered once the question that stands is answered.
+    later: Option<Offer>,
     /// The parts of the message and the offer that are shown below the pictures.
     pub bar: MessageBar,
+}
+
+impl Messages {
+    /// Offers something in the place of another offer; while a question waits for its answer, after that.
+    pub fn suggest(&mut self, offer: Offer) {
+        let waits = self.offer.as_ref().is_some_and(Offer::is_question);
+        *(if waits { &mut self.later } else { &mut self.offer }) = Some(offer);
+    }
+
+    /// Makes the offer that has waited the present one, where there is none.
+    pub fn go_on(&mut self) {
+        if self.offer.is_none() {
+            self.offer = self.later.take();
+        }
+    }
 }

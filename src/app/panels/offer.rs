@@ -76,7 +76,8 @@ impl Offer {
         Some((*side, files::traced(picture)))
     }
 
-    fn is_question(&self) -> bool {
+    /// Whether it waits for its answer, however long that takes.
+    pub fn is_question(&self) -> bool {
         matches!(self.offered, Offered::Tracing { unused: Some(_), .. })
     }
 }

@@ -169,6 +169,29 @@ fn a_picture_opened_as_an_outline_waits_for_the_answer_what_it_is_for() {
 }
 
 #[test]
+fn a_question_waits_for_its_answer_whatever_else_is_opened() {
+    let ink = |x: u32, y: u32| if (60..180).contains(&x) && (90..150).contains(&y) { 0 } else { 255 };
+    let picture = image::RgbaImage::from_fn(300, 240, |x, y| image::Rgba([ink(x, y), ink(x, y), ink(x, y), 255]));
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+    let mut harness = ready_app([1200.0, 800.0]);
+    let context = harness.ctx.clone();
+    harness.state_mut().take_file(FilePurpose::Outline(Side::Source), "box.png", Ok(bytes.into_inner()));
+    step_until(&mut harness, |app| app.messages.offer.is_some());
+    let before = harness.state().session().clone();
+    let region = br#"{"type":"Polygon","coordinates":[[[0,40],[20,40],[20,50],[0,50],[0,40]]]}"#;
+    harness.state_mut().take_file(FilePurpose::Outline(Side::Target), "box.geojson", Ok(region.to_vec()));
+    step_until(&mut harness, |app| app.session().domain(Side::Target) != before.domain(Side::Target));
+    harness.run_steps(2);
+    harness.get_by_label("Trace its silhouette");
+    assert!(harness.query_by_label("Show as a map").is_none());
+    harness.state_mut().carry_out(&context, vec![Action::DismissOffer]);
+    harness.run_steps(3);
+    harness.get_by_label("Show as a map");
+    assert!(harness.query_by_label("Trace its silhouette").is_none());
+}
+
+#[test]
 fn a_message_that_hides_which_file_is_missing_gives_way_to_that() {
     let mut harness = ready_app([1200.0, 800.0]);
     let context = harness.ctx.clone();
