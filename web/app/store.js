@@ -14,7 +14,7 @@ const OPENS_WITHIN = 3000;
 const RELEASED_WITHIN = 300;
 
 let opened = null;
-/** For each visit of this tab whether no other tab has it. */
+/** For each visit of this tab whether no other tab has it, asked or being asked; a visit that another tab has is not kept. */
 const held = new Map();
 
 /** The result of a request, as a promise. */
@@ -54,8 +54,12 @@ function hold(id) {
     };
     return navigator.locks.request(`riemap visit ${id}`, { signal: late.signal }, keep).catch(() => resolve(false));
   });
-  if (!held.has(id)) held.set(id, ask());
-  return held.get(id);
+  if (held.has(id)) return held.get(id);
+  const asked = ask();
+  held.set(id, asked);
+  // the other tab may be closed meanwhile: the next one who asks asks again
+  asked.then((has) => has || held.delete(id));
+  return asked;
 }
 
 /** The visits in a transaction, the newest first. */
