@@ -6,6 +6,7 @@ use crate::app::input::action::{Action, Actions, EditAction, ExploreAction};
 use crate::app::input::locks::Locks;
 use crate::app::input::preferences::{Habit, Preferences};
 use crate::app::input::presentation;
+use crate::app::messages::Notice;
 use crate::app::windows::explore::Consequences;
 use crate::conformal::Side;
 use crate::language::{key, tr};
@@ -42,7 +43,11 @@ impl RiemapApp {
                 if matches!(command, Command::Open(_)) {
                     self.begin_visit();
                 }
-                self.command(command, context.input(|input| input.time));
+                let now = context.input(|input| input.time);
+                if command == Command::Continue {
+                    self.messages.notice = Some(Notice::new(key::choose_next_target(), now));
+                }
+                self.command(command, now);
             }
             Action::Undo => self.undo(),
             Action::Redo => self.redo(),

@@ -12,8 +12,8 @@ use super::side::{self, Asked, Given, NamedSide, Placed, Reading, SideAnchor, Si
 use super::tables::{self, Best, Summary};
 use super::{picture, surface_picture};
 use crate::conformal::{
-    ConformalMap, Constraints, Direction, Extension, KernelMode, MapError, MapSettings, PerSide, PrepareSettings,
-    PrepareTimings, Pins, Side,
+    ConformalMap, Constraints, Direction, Extension, KernelMode, MapError, MapSettings, PerSide, Pins, PrepareSettings,
+    PrepareTimings, Side,
 };
 use crate::export::{Panel, Ruling, boundary_csv, mapped_obj, panels, parts, svg};
 use crate::geometry::DVec3;

@@ -30,7 +30,7 @@ impl Model {
                 self.want_outline(side, outline, Vec::new());
             }
             // what is opened comes with its pins, and only when its outline is prepared
-            pinned @ Command::PinOutline { .. } => self.open(&self.requested().and([pinned])),
+            whole @ (Command::PinOutline { .. } | Command::Continue) => self.open(&self.requested().and([whole])),
             Command::ReshapeOutline { side, outline, interior, anchor } => {
                 self.reshape(side, outline, Reshaped { interior, anchor, in_hand: false, turned: false });
             }

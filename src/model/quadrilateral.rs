@@ -47,7 +47,8 @@ impl Model {
 
     /// Whether the modulus is known and too extreme for a rectangle.
     pub fn is_too_long(&self, side: Side) -> bool {
-        self.marks(side).is_some() && self.modulus(side).is_some_and(|modulus| rectangle_corners(modulus.value).is_err())
+        self.marks(side).is_some()
+            && self.modulus(side).is_some_and(|modulus| rectangle_corners(modulus.value).is_err())
     }
 
     /// The corners of the other side's rectangle in the order of an outline's marks, if they are pinned to each other and

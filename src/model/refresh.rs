@@ -3,8 +3,8 @@
 use crate::conformal::{ConformalMap, Extension, PerSide, Side};
 use crate::laplace::Deadline;
 use crate::model::overlays::walks::WalkAction;
-use crate::model::pinned::Following;
 use crate::model::overlays::{OverlayState, Situation};
+use crate::model::pinned::Following;
 use crate::model::{Changes, Model, Refines, pattern};
 use crate::session::{Colouring, Session};
 

@@ -108,6 +108,8 @@ pub enum Command {
     SetSymmetries(bool),
     /// Exchanges source and target.
     Swap,
+    /// Makes the target the source too, with its points: a chain of maps goes on from there once another target is chosen.
+    Continue,
     /// Replaces the whole session.
     Open(Box<Session>),
 }
@@ -118,7 +120,9 @@ impl Command {
     /// [`Session::touched_by`] says where the session alone cannot.
     pub fn touches(&self) -> Touched {
         match self {
-            Self::SetOutline { .. } | Self::PinOutline { .. } | Self::SetSurface { .. } => Touched::ANOTHER_SHAPE,
+            Self::SetOutline { .. } | Self::PinOutline { .. } | Self::SetSurface { .. } | Self::Continue => {
+                Touched::ANOTHER_SHAPE
+            }
             Self::CloseSurface(_) => Touched::SHAPES | Touched::POINTS,
             Self::ReshapeOutline { .. } => Touched::SHAPES, // its points are carried along
             Self::Swap => Touched::SHAPES | Touched::POINTS | Touched::SETTINGS,
@@ -156,7 +160,7 @@ impl Session {
         let drops_point = matches!(command, Command::RefineSurface { side, surface }
             if self.surface(*side).is_some_and(|there| there.point.is_some() && there.spec.shape != surface.shape));
         let drops_region = !self.region.is_empty()
-            && matches!(command, Command::Swap | Command::PinOutline { side: Side::Source, .. });
+            && matches!(command, Command::Swap | Command::Continue | Command::PinOutline { side: Side::Source, .. });
         let dropped = [(drops_point, Touched::INTERIOR), (drops_region, Touched::COMPARISON)];
         dropped.into_iter().filter(|(drops, _)| *drops).fold(command.touches(), |all, (_, part)| all | part)
     }
@@ -206,6 +210,7 @@ impl Session {
             Command::MoveMark { mark, side, fraction } => self.marks[side] = self.with_mark_at(mark, side, fraction),
             Command::SetSymmetries(shown) => self.display.symmetries = shown,
             Command::Swap => self.swap(),
+            Command::Continue => self.go_on_from_target(),
             Command::Open(session) => *self = *session,
         }
     }
@@ -245,6 +250,13 @@ impl Session {
         self.marks.swap();
         self.region.clear();
         self.pins = self.pins.as_ref().map(Pins::exchanged);
+    }
+
+    fn go_on_from_target(&mut self) {
+        self.sides.source = self.sides.target.clone();
+        self.marks.source = self.marks.target;
+        self.pins = None;
+        self.region.clear();
     }
 
     /// A side's marks with one of them at another place; `None` without it, or where their order was good and is not then.

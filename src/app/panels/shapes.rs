@@ -13,7 +13,7 @@ use crate::model::editing::Pen;
 use crate::model::shape::PresetShape;
 use crate::model::{Model, bounds};
 use crate::outline::Preset;
-use crate::session::Touched;
+use crate::session::{Command, Touched};
 use crate::surface::SurfacePreset;
 use egui::{
     Align2, Color32, CornerRadius, Id, PopupCloseBehavior, Pos2, Rect, Response, RichText, Role, Sense, Shape, Stroke,
@@ -54,11 +54,11 @@ fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     };
     scroll_beyond(ui, BESIDES, |ui| guarded_by(ui, Touched::ANOTHER_SHAPE, all));
     ui.separator();
-    ui.horizontal_wrapped(|ui| by_hand(ui, side, actions));
+    ui.horizontal_wrapped(|ui| by_hand(ui, side, model, actions));
 }
 
-/// The buttons for a custom outline: three pens, pasting, tracing, opening a file.
-fn by_hand(ui: &mut Ui, side: Side, actions: &mut Actions) {
+/// The buttons for a custom outline: three pens, pasting, tracing, opening a file; for the source also the target.
+fn by_hand(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
     let draw = |pen| Action::Edit(EditAction::Draw(side, pen));
     let ways = [
@@ -69,9 +69,11 @@ fn by_hand(ui: &mut Ui, side: Side, actions: &mut Actions) {
         (tr(key::trace_picture()), key::trace_picture_tooltip(), Action::OpenTrace(side)),
         (tr(key::open_file()), key::open_shape_tooltip(), Action::OpenOutline(side)),
     ];
-    for (label, tooltip, action) in ways {
+    let target = (tr(key::continue_from_target()), key::continue_tooltip(), Action::Session(Command::Continue));
+    for (label, tooltip, action) in ways.into_iter().chain((side == Side::Source).then_some(target)) {
         let button = egui::Button::new(label).fill(palette.control).stroke(Stroke::new(1.0, palette.border));
-        if menu_entry(ui, true, button, tooltip, &action) {
+        let is_possible = action != Action::Session(Command::Continue) || model.is_mapped();
+        if menu_entry(ui, is_possible, button, tooltip, &action) {
             actions.push(action);
             ui.close();
         }

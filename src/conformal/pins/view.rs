@@ -6,9 +6,7 @@
 
 use super::slices::{INTERRUPTED, Slices};
 use crate::boundary_integral::{self, BoundaryIntegralError};
-use crate::conformal::{
-    CurveBoundary, HarmonicMeasure, InteriorPoint, MapError, PreparedSide, Side, SideGeometry,
-};
+use crate::conformal::{CurveBoundary, HarmonicMeasure, InteriorPoint, MapError, PreparedSide, Side, SideGeometry};
 use crate::geometry::{DMat2, DVec2, DVec3};
 use crate::mesh::{BarycentricPoint, locate};
 use num_complex::Complex64;

@@ -1016,6 +1016,11 @@ on_axis = auf der Achse bei { $angle }°
 at_axis_end = am Ende der Achse bei { $angle }°
 caught_dot = { $dot } liegt { $place }.
 
+## chains
+continue_from_target = Vom Ziel aus weiter
+continue_tooltip = Das Ziel wird auch zur Quelle, mit Umriss und Punkten; wähl dann ein anderes Ziel: Eine Kette von Abbildungen geht von dort weiter
+choose_next_target = Wähl nun das nächste Ziel
+
 ## quadrilaterals
 quadrilateral = Rechteck und Gitter
 explain_quadrilateral = Vier Marken machen den Umriss zu einem Viereck mit krummen Seiten. Eine konforme Abbildung davon auf ein Rechteck, die die Marken auf die Ecken abbildet, gibt es für genau ein Seitenverhältnis, und dann nur eine: Drei Ecken legen die Abbildung fest, und die vierte passt nur bei diesem Verhältnis. Es ist der Modul: wie weit die Seite von Marke 1 bis 2 von der Seite von Marke 3 bis 4 entfernt ist, konform gemessen. Das Netz gleicher Zellen dieses Rechtecks, zurückgetragen, ist ein Gitter im Umriss, dessen Linien sich rechtwinklig schneiden, wie man es für Simulationen von Strömung und Wärme braucht.

@@ -1016,6 +1016,11 @@ on_axis = on the axis at { $angle }°
 at_axis_end = at an end of the axis at { $angle }°
 caught_dot = { $dot } is { $place }.
 
+## chains
+continue_from_target = Continue from the target
+continue_tooltip = The target becomes the source too, with its outline and its points; then choose another target: a chain of maps goes on from there
+choose_next_target = Now choose the next target
+
 ## quadrilaterals
 quadrilateral = Rectangle and grid
 explain_quadrilateral = Four marks make the outline a quadrilateral with curved sides. A conformal map of it onto a rectangle that takes the marks to the corners exists for exactly one ratio of the sides, and is then the only one: three corners determine the map, and the fourth one falls into place for this ratio alone. The ratio is the modulus: how far the side from mark 1 to 2 is from the side from mark 3 to 4, measured by conformal means. The lattice of equal cells of that rectangle, carried back, is a grid in the outline whose lines meet at right angles, as simulations of flow and heat use it.

@@ -189,6 +189,8 @@ keys_of_labels! {
     // symmetry
     symmetry, explain_symmetry, show_symmetries, show_symmetries_tooltip, no_symmetry, in_center, in_corner,
     drag_with_alt, drag_with_alt_about,
+    // chains
+    continue_from_target, continue_tooltip, choose_next_target,
     // quadrilaterals
     quadrilateral, explain_quadrilateral, explain_mark, quadrilateral_limit, map_onto_rectangle,
     map_onto_rectangle_tooltip, rectangle, orthogonal_grid, orthogonal_grid_tooltip, cells_along, cells_across_marks, save_grid,

@@ -265,7 +265,8 @@ mod tests {
     fn steps_of_a_drag_begin_nothing_and_end_what_is_under_way() {
         let mut state = GridState::default();
         let shown = |preset| PerSide::new(Some(task(preset, None)), None);
-        let is_wait = |work: GridWork, seconds: f64| matches!(work, GridWork::Wait(left) if (left - seconds).abs() < 1e-9);
+        let is_wait =
+            |work: GridWork, seconds: f64| matches!(work, GridWork::Wait(left) if (left - seconds).abs() < 1e-9);
         assert!(matches!(rested(&mut state, &shown(Preset::Disk)), GridWork::Begin(_)));
         assert_eq!(state.next(&shown(Preset::Square), 1.0), GridWork::Cancel);
         assert!(is_wait(state.next(&shown(Preset::Square), 1.0), REST_SECONDS));
