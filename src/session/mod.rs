@@ -153,10 +153,14 @@ impl Session {
         &self.region
     }
 
-    /// The four marks that make a quadrilateral of a side's outline, as fractions of the boundary's length; a link does not
-    /// hold them.
+    /// The four marks that make a quadrilateral of a side's outline, as fractions of the boundary's length.
     pub fn marks(&self, side: Side) -> Option<[f64; 4]> {
         self.marks[side]
+    }
+
+    /// Whether a side has marks.
+    pub fn has_marks(&self) -> bool {
+        self.marks.iter().any(|(_, marks)| marks.is_some())
     }
 
     /// Where the image lies, relative to the domain of its side.

@@ -283,6 +283,43 @@ fn pins() -> Pins {
 }
 
 #[test]
+fn a_chain_goes_on_from_the_target() {
+    let square = [0.1, 0.3, 0.6, 0.9];
+    let mut session = Session::default().and([
+        Command::MoveInterior { side: Side::Target, point: DVec2::new(0.2, 0.0).into() },
+        Command::MoveAnchor { side: Side::Target, fraction: 0.2 },
+        Command::SetMarks { side: Side::Target, marks: Some(square) },
+        Command::SetPins(Some(pins())),
+        Command::SetRegion(vec![Dab { middle: DVec3::ZERO, radius: 0.25 }]),
+    ]);
+    let target = session.side(Side::Target).clone();
+    assert!(session.apply(Command::Continue).touches(Touched::ANOTHER_SHAPE | Touched::COMPARISON));
+    for side in Side::BOTH {
+        assert_eq!((session.side(side), session.marks(side)), (&target, Some(square)), "{side:?}");
+    }
+    assert_eq!((session.pins(), session.region()), (None, &[][..]), "they were those of the last link");
+}
+
+#[test]
+fn a_mark_is_moved_in_order_only() {
+    let (side, marks) = (Side::Source, [0.1, 0.3, 0.6, 0.9]);
+    let mut session = Session::default();
+    let moved = |mark, fraction| Command::MoveMark { mark, side, fraction };
+    assert_eq!(session.apply(moved(1, 0.4)), Touched::NOTHING, "there are none");
+    session.apply(Command::SetMarks { side, marks: Some(marks) });
+    assert_eq!(session.apply(moved(1, 0.7)), Touched::NOTHING, "past the third");
+    assert_eq!(session.apply(moved(4, 0.7)), Touched::NOTHING, "there is no fifth");
+    assert_eq!(session.marks(side), Some(marks));
+    assert_eq!(session.apply(moved(3, 1.05)), Touched::COMPARISON);
+    assert_eq!(session.marks(side).map(|marks| marks.map(|mark| (1e9 * mark).round() / 1e9)), Some([0.1, 0.3, 0.6, 0.05]));
+    session.apply(Command::Swap);
+    assert!(session.marks(Side::Source).is_none() && session.marks(Side::Target).is_some());
+    // marks that were typed in a wrong order can be put right one after another
+    session.apply(Command::SetMarks { side, marks: Some([0.1, 0.6, 0.3, 0.9]) });
+    assert_eq!(session.apply(moved(1, 0.2)), Touched::COMPARISON);
+}
+
+#[test]
 fn pins_are_moved_in_order_only_and_follow_an_exchange_of_the_sides() {
     let mut session = Session::with([Command::SetPins(Some(pins()))]);
     let moved = |pin, fraction| Command::MovePin { pin, side: Side::Target, fraction };

@@ -44,6 +44,10 @@ fn with_symmetries() -> Session {
     Session::default().and([Command::SetSymmetries(true)])
 }
 
+fn with_marks() -> Session {
+    Session::default().and([Command::SetMarks { side: Side::Target, marks: Some([0.1, 1.0 / 3.0, 0.7, 0.75]) }])
+}
+
 fn on_source_only() -> Session {
     solid().and([Command::CloseSurface(Side::Target)])
 }
@@ -63,6 +67,7 @@ fn what_is_written_is_read_bit_for_bit_in_the_oldest_format_that_holds_it() {
         (on_source_only(), 2),
         (pinned(), 2),
         (with_symmetries(), 2),
+        (with_marks(), 2),
     ] {
         let text = write(&session).unwrap();
         assert!(text.starts_with(&format!("{{\n  \"riemap\": {format},\n  \"version\": {format},\n")), "{text}");
@@ -210,6 +215,12 @@ fn a_curve_beside_its_points_is_refused() {
     assert_ne!(moved, text, "{text}");
     let error = read(moved.as_bytes()).unwrap_err();
     assert!(error.to_string().contains("does not pass through its points"), "{error}");
+}
+
+#[test]
+fn marks_beyond_the_boundary_are_refused() {
+    let outside = changed(&with_marks(), |value| value["target"]["marks"][2] = 1.5.into());
+    assert!(matches!(outside, Err(FileError::OutOfRange(_))), "{outside:?}");
 }
 
 #[test]

@@ -17,7 +17,7 @@ pub(super) fn holds(session: &Session) -> bool {
         && !session.symmetries()
         && session.pins().is_none()
         && session.region().is_empty()
-        && Side::BOTH.iter().all(|&side| session.marks(side).is_none())
+        && !session.has_marks()
         && session.display.without_tiling().1.is_none()
         && Side::BOTH.iter().all(|&side| session.domain(side).outline.is_only_polygon())
 }

@@ -405,6 +405,20 @@ fn the_painted_region_travels_in_a_section_that_may_be_skipped() {
 }
 
 #[test]
+fn marks_travel_in_a_section_that_may_be_skipped() {
+    let marks = |side, marks| Command::SetMarks { side, marks: Some(marks) };
+    let one = Session::default().and([marks(Side::Target, [0.1, 1.0 / 3.0, 0.7, 0.75])]);
+    for session in [one.clone(), one.and([marks(Side::Source, [0.9, 0.2, 0.3, 0.5])])] {
+        let fragment = encode(&session).unwrap().fragment;
+        assert!(fragment.starts_with("s=2."), "{fragment}");
+        assert_eq!(decode(&fragment).unwrap(), Decoded { session, missing: Vec::new() });
+    }
+    let bytes = postcard::to_allocvec(&[Some([0.1, 0.3, 1.7, 0.75]), None]).unwrap();
+    let refused = with_section(version2::Section { number: 12, may_be_skipped: true, content: bytes });
+    assert!(matches!(refused, Err(LinkError::OutOfRange(_))), "{refused:?}");
+}
+
+#[test]
 fn a_tiling_travels_in_a_section_that_may_be_skipped() {
     use crate::tiling::{Tiling, TilingPattern, TilingStyle};
     let pattern = TilingPattern { tiling: Tiling::new(4, 5).unwrap(), style: TilingStyle::Triangles };

@@ -124,7 +124,7 @@ impl Version1 {
                 },
             pins: _,   // a section of version 2
             region: _, // the same
-            marks: _,  // in files only
+            marks: _,  // the same
         } = session;
         let sides = [source, target];
         Self {

@@ -15,6 +15,7 @@
 //! | 8 | the hyperbolic tiling, and whether it is the pattern; to readers without it that is the conformal grid | yes |
 //! | 9 | the painted region: runs of disks or balls of one radius; it changes no map | yes |
 //! | 11 | empty: the symmetries of the outlines are shown | yes |
+//! | 12 | the four marks of the source's and of the target's outline, where there are any; they change no map | yes |
 
 use super::codes::Coded;
 use super::curves::WiredCurve;
@@ -47,6 +48,9 @@ const REGION: u16 = 9;
 /// The section that shows the symmetries.
 const SYMMETRIES: u16 = 11;
 
+/// The section with the marks of both sides.
+const MARKS: u16 = 12;
+
 /// A session.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Version2 {
@@ -70,6 +74,7 @@ pub(super) fn is_needed(session: &Session) -> bool {
         || !session.region().is_empty()
         || session.display.without_tiling().1.is_some()
         || session.symmetries()
+        || session.has_marks()
 }
 
 impl Version2 {
@@ -116,6 +121,10 @@ impl Version2 {
         if session.symmetries() {
             sections.push(Section { number: SYMMETRIES, may_be_skipped: true, content: Vec::new() });
         }
+        if session.has_marks() {
+            let content = postcard::to_allocvec(&Side::BOTH.map(|side| session.marks(side))).ok()?;
+            sections.push(Section { number: MARKS, may_be_skipped: true, content });
+        }
         Some(Self { first: Version1::new(session, outlines), sections })
     }
 
@@ -142,6 +151,7 @@ impl Version2 {
                     super::whole::<()>(content)?;
                     decoded.session.display.symmetries = true;
                 }
+                MARKS => decoded.session.marks = super::whole::<[Option<[f64; 4]>; 2]>(content)?.into(),
                 _ if *number == LOOPS.source => choose_loops(&mut decoded, Side::Source, content)?,
                 _ if *number == LOOPS.target => choose_loops(&mut decoded, Side::Target, content)?,
                 _ if *number == CURVES.source => place_curve(&mut decoded, Side::Source, content)?,
