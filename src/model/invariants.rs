@@ -28,9 +28,15 @@ impl Model {
         self.overlay_state.invariants.take(&tasks)
     }
 
-    /// Stores the worker's result.
+    /// Stores the worker's result; its modulus tells how many cells a grid gets.
     pub fn accept_invariants(&mut self, result: Result<FoundInvariants, Message>) {
         self.overlay_state.invariants.accept(result);
+        for side in Side::BOTH {
+            if let Some(Ok(FoundInvariants { modulus: Some(modulus), .. })) = self.invariants(side) {
+                let modulus = modulus.value;
+                self.overlay_state.orthogonal_grids.fit_cells(side, modulus);
+            }
+        }
     }
 
     /// What is asked for of a side; `None` if nothing is, if the side is a surface, or while its outline is prepared.

@@ -141,7 +141,7 @@ fn a_file_is_made_of_the_grid_that_is_shown() {
     let found = task.run(&mut |_| true).unwrap().unwrap();
     let file = model.accept_grid(&task, Finding::Grid(Box::new(found))).unwrap().unwrap();
     assert_eq!(file.name, "riemap_grid.csv");
-    assert_eq!(String::from_utf8(file.bytes).unwrap().lines().count(), 1 + 21 * 11);
+    assert_eq!(String::from_utf8(file.bytes).unwrap().lines().count(), 1 + 15 * 15);
     model.act_on_grids(GridAction::Save(Side::Source, GridFormat::Obj));
     assert!(matches!(model.next_grid_work(0.0), GridWork::Begin(_)));
     model.act_on_grids(GridAction::Cancel(Side::Source));

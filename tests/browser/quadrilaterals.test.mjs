@@ -18,6 +18,11 @@ async function marked(app) {
   return app.until('the modulus is there', (stats) => stats.ready && stats.invariants[0]?.Ok?.modulus);
 }
 
+/** The numbers of cells that a grid begins with: about 200, nearly square. */
+function squareCells(modulus) {
+  return [200 / modulus, 200 * modulus].map((product) => Math.round(Math.sqrt(product)));
+}
+
 withOneBackend('quadrilaterals', (bench) => {
   test(
     'the rectangle of the marks is one click and one step to undo away, and the fourth corner is met',
@@ -36,20 +41,23 @@ withOneBackend('quadrilaterals', (bench) => {
       assert.ok(Math.abs(ratio / value - 1) < 1e-9, `${ratio} for the modulus ${value}`);
       await app.walkTo(/^Orthogonal grid, check box, not selected/);
       await app.press('Space');
-      const hasLines = (stats) => stats.ready && stats.grid_lines.every((count) => count === 19 + 9);
+      const [n, m] = squareCells(value);
+      const hasLines = (stats) => stats.ready && stats.grid_lines.every((count) => count === n + m - 2);
       await app.atRest('the grid and the lattice are there', hasLines);
       await app.shot(`${bench.backend}-quadrilateral`);
-      await app.saying('state', /Orthogonal grid · [Ss]ource: 20 × 10 cells\. Nodes right to /);
+      const cells = new RegExp(`Orthogonal grid · [Ss]ource: ${n} × ${m} cells\\. Nodes right to `);
+      await app.saying('state', cells);
       await app.press('Control+z');
       const undone = await app.atRest('the heart is back', (stats) => stats.ready && stats.pin_misses === null);
-      assert.deepEqual(undone.grid_lines, [19 + 9, 0], 'the grid stays with the marks');
+      assert.deepEqual(undone.grid_lines, [n + m - 2, 0], 'the grid stays with the marks');
     }),
   );
 
   test(
     'a grid is saved as a table, and other numbers of cells give another one',
     bench.withApp(async (app) => {
-      await marked(app);
+      const { invariants } = await marked(app);
+      const [n, m] = squareCells(invariants[0].Ok.modulus.value);
       await app.walkTo(/^Orthogonal grid, check box, not selected/);
       await app.press('Space');
       const { grids } = await app.until('the grid is there', (stats) => stats.grids[0]?.Ok);
@@ -59,12 +67,12 @@ withOneBackend('quadrilaterals', (bench) => {
       const { name, bytes } = await app.downloadBy('Space');
       assert.equal(name, 'riemap_grid.csv');
       const rows = bytes.toString().trim().split('\n');
-      assert.deepEqual([rows[0], rows.length], ['i,j,x,y', 1 + 21 * 11]);
+      assert.deepEqual([rows[0], rows.length], ['i,j,x,y', 1 + (n + 1) * (m + 1)]);
       await app.walkTo(/^cells from mark 1 to 2/);
       await app.press('Control+a');
       await app.page.keyboard.type('150');
       await app.press('Enter');
-      await app.until('every second line is drawn', (stats) => stats.grid_lines[0] === 74 + 9);
+      await app.until('every second line is drawn', (stats) => stats.grid_lines[0] === 74 + m - 1);
     }),
   );
 });

@@ -57,11 +57,13 @@ fn a_grid_is_shown_with_its_accuracy_and_its_lattice_on_the_rectangle() {
     step_until(&mut harness, |app| app.model.grid(Side::Source).is_some());
     harness.step();
     harness.get_by_label_contains("Nodes right to ");
-    assert_eq!(harness.state().stats().overlays.grid_lines, [19 + 9, 0]);
+    let [n, m] = harness.state().model.overlay_state().orthogonal_grids.of(Side::Source).cells().unwrap().counts();
+    let lines = (n + m - 2) as usize;
+    assert_eq!(harness.state().stats().overlays.grid_lines, [lines, 0]);
     let onto = harness.state().model.onto_rectangle(Side::Source).unwrap().unwrap();
     let context = harness.ctx.clone();
     harness.state_mut().carry_out(&context, vec![Action::Session(onto)]);
-    step_until(&mut harness, |app| app.stats().overlays.grid_lines == [19 + 9; 2]);
+    step_until(&mut harness, |app| app.stats().overlays.grid_lines == [lines; 2]);
     // a grid that is hidden while it is computed is given up
     let cells = crate::conformal::GridCells::new([1000, 1000]).unwrap();
     let app = harness.state_mut();

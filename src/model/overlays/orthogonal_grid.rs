@@ -9,7 +9,7 @@ use crate::language::{Message, key};
 use crate::model::export::ReadyFile;
 use crate::worker::{Finding, FoundGrid, GridContent, GridTask};
 
-/// The numbers of cells to begin with.
+/// The numbers of cells until the modulus is known, and about how many cells there are then.
 const CELLS: [u32; 2] = [20, 10];
 
 /// How long a grid that is to be shown is asked for without change before it is computed, in seconds: marks and numbers of
@@ -34,7 +34,10 @@ pub enum GridAction {
 pub struct SideGrid {
     /// Whether the grid is shown.
     pub is_shown: bool,
+    /// The numbers of cells that were chosen.
     cells: Option<GridCells>,
+    /// Those that make the cells nearly square.
+    square: Option<GridCells>,
     /// The file to save.
     to_save: Option<GridTask>,
     found: Option<(GridTask, Result<FoundGrid, Message>)>,
@@ -67,7 +70,7 @@ pub struct GridState {
 impl SideGrid {
     /// The numbers of cells along the sides from mark 1 to 2 and from mark 2 to 3.
     pub fn cells(&self) -> Option<GridCells> {
-        self.cells.or(GridCells::new(CELLS))
+        self.cells.or(self.square).or(GridCells::new(CELLS))
     }
 
     /// The result of this very task.
@@ -105,6 +108,14 @@ impl GridState {
     /// Sets the numbers of cells.
     pub fn set_cells(&mut self, side: Side, cells: GridCells) {
         self.sides[side].cells = Some(cells);
+    }
+
+    /// Takes in the modulus of a side: until numbers of cells are chosen, there are about as many cells as in the beginning,
+    /// nearly square in the mean.
+    pub fn fit_cells(&mut self, side: Side, modulus: f64) {
+        let count = f64::from(CELLS[0] * CELLS[1]);
+        let [along, across] = [(count / modulus).sqrt(), (count * modulus).sqrt()].map(|cells| cells.round().max(1.0) as u32);
+        self.sides[side].square = GridCells::new([along, across]);
     }
 
     /// The file to save of a side's grid, in the place of its last one; `None`: none any more.
@@ -243,6 +254,20 @@ mod tests {
         assert!(matches!(rested(&mut state, &other), GridWork::Begin(_)) && state.is_computing());
         assert_eq!(rested(&mut state, &none), GridWork::Cancel);
         assert!(rested(&mut state, &none) == GridWork::Nothing && !state.is_computing());
+    }
+
+    #[test]
+    fn cells_are_nearly_square_until_their_numbers_are_chosen() {
+        let mut state = GridState::default();
+        let counts = |state: &GridState| state.of(Side::Target).cells().unwrap().counts();
+        assert_eq!(counts(&state), CELLS);
+        for (modulus, expected) in [(0.5, [20, 10]), (1.0, [14, 14]), (2.0, [10, 20]), (17.9, [3, 60])] {
+            state.fit_cells(Side::Target, modulus);
+            assert_eq!(counts(&state), expected, "{modulus}");
+        }
+        state.set_cells(Side::Target, GridCells::new([7, 8]).unwrap());
+        state.fit_cells(Side::Target, 1.0);
+        assert_eq!((counts(&state), state.of(Side::Source).cells().unwrap().counts()), ([7, 8], CELLS));
     }
 
     #[test]
