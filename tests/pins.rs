@@ -7,12 +7,13 @@
 mod support;
 
 use riemap::conformal::{
-    ConformalMap, Constraints, Direction, InteriorImage, InteriorPoint, KernelMode, PerSide, PinError, Pins,
+    ConformalMap, Constraints, Direction, InteriorImage, InteriorPoint, KernelMode, PerSide, PinError, PinSearch, Pins,
     PrepareSettings, PreparedSide, Side, SurfaceSettings, prepare_curve, prepare_surface,
 };
 use riemap::exact::{Complex, complex};
 
 use riemap::geometry::DVec2;
+use riemap::laplace::Deadline;
 use riemap::outline::Preset;
 use riemap::surface::{SurfaceMesh, SurfacePreset};
 use std::f64::consts::TAU;
@@ -285,4 +286,34 @@ fn many_pins_need_one_order() {
     let crossed = pins([[0.1, 0.1], [0.3, 0.3], [0.5, 0.7], [0.6, 0.5]]).unwrap_err();
     assert_eq!(crossed, PinError::Order { pins: [1, 3, 4], counter_clockwise: Side::Source });
     assert_eq!(pins([[0.1, 0.1], [0.3, 0.3]]).unwrap_err(), PinError::Count { count: 2 });
+}
+
+/// Interrupted as often as it can be, the search finds the same constraints, bit for bit, or the same refusal.
+#[test]
+fn a_search_in_slices_is_the_search_at_once() {
+    let square = outline(Preset::Square, KernelMode::Adjoint);
+    let curve = outline(Preset::LShape, KernelMode::Integral);
+    let dome = surface(SurfacePreset::Hemisphere);
+    let three = pins([[0.1, 0.05], [0.4, 0.3], [0.8, 0.8]]).unwrap();
+    let four = pins([[0.1, 0.05], [0.4, 0.3], [0.6, 0.65], [0.8, 0.8]]).unwrap();
+    for (sides, pins) in [
+        ([square.clone(), dome.clone()], three.clone()),
+        ([dome.clone(), dome], four.clone()),
+        ([square, curve.clone()], four),
+        ([curve.clone(), curve], three),
+    ] {
+        let sides = PerSide::new(&*sides[0], &*sides[1]);
+        let near = sides.map(PreparedSide::default_point);
+        let whole = pins.constraints(sides, Some(near)).unwrap();
+        let mut search = PinSearch::new(pins, near);
+        let mut slices = 1;
+        let found = loop {
+            match search.advance(sides, Deadline::in_ms(0.0)) {
+                Some(found) => break found.unwrap(),
+                None => slices += 1,
+            }
+        };
+        println!("{slices} slices");
+        assert!(slices > 2 && found == whole, "{slices} slices: {found:?} instead of {whole:?}");
+    }
 }

@@ -37,6 +37,11 @@ pub struct Messages {
 }
 
 impl Messages {
+    /// Only this message, if there is one.
+    pub fn of(common: Option<Message>) -> Self {
+        Self { common, ..Self::default() }
+    }
+
     /// Offers something in the place of another offer; while a question waits for its answer, after that.
     pub fn suggest(&mut self, offer: Offer) {
         let waits = self.offer.as_ref().is_some_and(Offer::is_question);

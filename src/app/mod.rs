@@ -122,7 +122,7 @@ impl RiemapApp {
             player: Player::default(),
             windows,
             screen: Screen::new(preferences, !options.embed, platform::has_fingers(), resumes),
-            messages: Messages { common: presentation::with_user_errors(message, &options), ..Messages::default() },
+            messages: Messages::of(presentation::with_user_errors(message, &options)),
             announced: Announced::default(),
             persistence,
             options,

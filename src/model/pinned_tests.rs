@@ -142,11 +142,7 @@ fn a_session_with_pins_opens_with_its_map_and_another_outline_drops_them() {
 
 #[test]
 fn pins_hold_a_surface_at_three_corners() {
-    let mut model = planar();
-    let (side, surface) = (Side::Target, spec(SurfacePreset::Hemisphere, 120));
-    model.dispatch(Command::SetSurface { side, surface }, 0.0);
-    rest(&mut model);
-    pin(&mut model);
+    let mut model = held_dome();
     for (pin, fraction) in [0.05, 0.3, 0.8].into_iter().enumerate() {
         model.dispatch(Command::MovePin { pin, side: Side::Target, fraction }, 0.0);
         rest(&mut model);
@@ -154,6 +150,42 @@ fn pins_hold_a_surface_at_three_corners() {
     let misses = model.pin_misses().unwrap();
     assert!(misses.iter().all(|miss| *miss < 1e-6), "{misses:?}");
     assert_eq!(model.map_error(), None);
+}
+
+/// A disk over a hemisphere, held by three pins.
+fn held_dome() -> Model {
+    let mut model = planar();
+    let (side, surface) = (Side::Target, spec(SurfacePreset::Hemisphere, 120));
+    model.dispatch(Command::SetSurface { side, surface }, 0.0);
+    rest(&mut model);
+    pin(&mut model);
+    model
+}
+
+#[test]
+fn points_that_follow_from_pins_are_searched_over_frames_while_the_last_map_stays() {
+    let (mut model, mut at_once) = (held_dome(), held_dome());
+    let drag = |fraction| Command::MovePin { pin: 1, side: Side::Target, fraction };
+    let [first, last] = [0.02, 0.05].map(|by| drag(model.pins().unwrap().pairs()[1].target + by));
+    let (before, points) = (images(&model), model.session().side(Side::Target).points());
+    // without time each frame does one step, however short
+    (model.update_ms, at_once.update_ms) = (0.0, f64::INFINITY);
+    model.dispatch(first, 0.0);
+    for frame in 0..3 {
+        model.refresh(true);
+        assert_eq!((model.session().side(Side::Target).points(), moved(&model, &before)), (points, 0.0), "frame {frame}");
+        assert!(model.is_pending(), "frame {frame}");
+    }
+    // moved on meanwhile: the search under way ends, then the one for the last place begins
+    model.dispatch(last.clone(), 0.0);
+    let frames = (0..10_000).take_while(|_| model.is_pending() && { model.refresh(true); true }).count();
+    assert!(!model.is_pending() && frames > 3, "{frames} frames");
+    at_once.dispatch(last, 0.0);
+    rest(&mut at_once);
+    let off = moved(&model, &images(&at_once));
+    println!("{frames} frames; {off:.1e}");
+    assert!(off < 1e-6 && moved(&model, &before) > 1e-3, "{off:.1e}");
+    assert!(model.pin_misses().unwrap().iter().all(|miss| *miss < 1e-6), "{:?}", model.pin_misses());
 }
 
 #[test]

@@ -211,3 +211,21 @@ fn tree(mesh: &TriMesh) -> Vec<[u32; 2]> {
     }
     edges
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Between the places taken, on the last edge too.
+    #[test]
+    fn extremes_on_a_boundary_are_found_between_its_points() {
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(DVec2::from_array);
+        for (low, high) in [([0.37, 0.0], [1.0, 0.81]), ([0.0, 0.93], [0.45, 1.0]), ([0.0, 0.06], [1.0, 1.0])] {
+            let [low, high] = [low, high].map(DVec2::from_array);
+            // −1 at `low` and 1 at `high` only
+            let bump = |z: DVec2, at: DVec2| (-20.0 * z.distance_squared(at)).exp();
+            let [least, most] = boundary_extremes(&square, &|z| bump(z, high) - bump(z, low));
+            assert!((least + 1.0).abs() < 1e-8 && (most - 1.0).abs() < 1e-8, "{low}, {high}: {least}, {most}");
+        }
+    }
+}

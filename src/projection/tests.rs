@@ -130,7 +130,7 @@ fn scale_of_the_map_is_that_of_the_images() {
     assert!((found / expected - 1.0).abs() < 2.0 * projection.residual() + 1e-5, "{found} and {expected}");
 }
 
-/// The largest scale is on the boundary, and in general between two of its points.
+/// The largest scale is on the boundary, at one of its points or between two.
 #[test]
 fn the_largest_scale_is_found_between_the_points_of_the_boundary() {
     let l = [[0.0, 40.0], [20.0, 40.0], [20.0, 50.0], [10.0, 50.0], [10.0, 60.0], [0.0, 60.0]];
@@ -144,7 +144,7 @@ fn the_largest_scale_is_found_between_the_points_of_the_boundary() {
     let [lowest, most] = [f64::min, f64::max].map(|of| values.iter().copied().reduce(of).unwrap());
     let (found, residual) = (projection.most_log, projection.residual());
     println!("largest log k: {at_points:.6e} at points, {most:.6e} on a dense set, {found:.6e} found; {residual:.3e}");
-    assert!(at_points < most && most <= found + 1e-15 && found < most + 0.01 * (most - at_points));
+    assert!(at_points <= found && most <= found + 1e-15 && found <= most + 0.01 * most.abs());
     assert!(residual >= most && residual >= -lowest);
 }
 
