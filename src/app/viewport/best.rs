@@ -99,7 +99,7 @@ pub fn paint(ui: &Ui, side: Side, model: &Model, view: &View) {
     }
 }
 
-/// The triangles of the region, which `on_screen` places, in one color.
+/// The parts of triangles in the region, in one color; `on_screen` places a triangle.
 pub fn paint_triangles(
     ui: &Ui,
     rect: egui::Rect,
@@ -107,16 +107,16 @@ pub fn paint_triangles(
     count: usize,
     on_screen: impl Fn(usize) -> Option<[Pos2; 3]>,
 ) {
-    let mask = model.best().mask();
-    if mask.len() != count {
-        return;
-    }
     let color = Palette::of(ui.visuals()).accent.gamma_multiply(REGION_OPACITY);
     let mut mesh = Mesh::default();
-    for t in (0..count).filter(|&t| mask[t]) {
-        let Some(corners) = on_screen(t) else { continue };
+    for part in model.best().painted(count) {
+        let Some([a, b, c]) = on_screen(part.triangle) else { continue };
+        let place = |weights: DVec3| {
+            let [wa, wb, wc] = weights.as_vec3().to_array();
+            Pos2::ZERO + wa * a.to_vec2() + wb * b.to_vec2() + wc * c.to_vec2()
+        };
         let first = mesh.vertices.len() as u32;
-        mesh.vertices.extend(corners.map(|pos| Vertex { pos, uv: WHITE_UV, color }));
+        mesh.vertices.extend(part.corners.map(|corner| Vertex { pos: place(corner), uv: WHITE_UV, color }));
         mesh.indices.extend([first, first + 1, first + 2]);
     }
     ui.painter_at(rect).add(Shape::mesh(mesh));

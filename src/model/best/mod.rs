@@ -20,6 +20,7 @@ use crate::session::{Command, Touched};
 use criterion::KnownSymmetries;
 use flight::{Flight, is_same_place};
 use mask::Mask;
+pub use mask::Part;
 use relief::Relief;
 pub use relief::{Landscapes, Level};
 use sides::KnownSides;
@@ -167,9 +168,10 @@ impl BestMap {
         self.flight.is_some()
     }
 
-    /// By triangle of the source, whether it lies in the region; empty without one.
-    pub fn mask(&self) -> &[bool] {
-        self.mask.triangles()
+    /// The parts of the source's triangles that lie in the region; empty without one, and if the source has another number
+    /// of triangles.
+    pub fn painted(&self, triangles: usize) -> &[Part] {
+        self.mask.parts(triangles)
     }
 
     /// Whether the landscape is asked for.
