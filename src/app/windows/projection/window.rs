@@ -17,6 +17,10 @@ const AROUND: egui::Vec2 = vec2(30.0, 96.0);
 /// The share of the window's height that the map takes at most, and its height at least, in points.
 const OF_MAP: f32 = 0.62;
 const LEAST_MAP: f32 = 160.0;
+/// In a window this many times as wide as high, as on a phone on its side, the map has this share of the width and its
+/// numbers stand beside it.
+const WIDE: f32 = 1.8;
+const BESIDE: f32 = 0.55;
 /// The width of the button that cancels.
 const CANCEL: f32 = 100.0;
 
@@ -51,7 +55,7 @@ impl ProjectionWindow {
         ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| match &self.work {
             Work::None => _ = ui.label(tr(key::projection_begin())),
             Work::Running(done) => self.running(ui, *done, actions),
-            Work::Made(found) => made(ui, found, (OF_MAP * height).max(LEAST_MAP)),
+            Work::Made(found) => made(ui, found, height),
             Work::Failed(_) => {
                 let ink = Palette::of(ui.visuals()).error_edge;
                 if let Some(reason) = self.error() {
@@ -101,9 +105,23 @@ impl ProjectionWindow {
     }
 }
 
-/// The map, its numbers and notes.
-fn made(ui: &mut Ui, found: &FoundProjection, most: f32) {
-    picture::show(ui, found, most);
+/// The map with its numbers and notes, below it or beside it.
+fn made(ui: &mut Ui, found: &FoundProjection, height: f32) {
+    let width = ui.available_width();
+    if width < WIDE * height {
+        picture::show(ui, found, (OF_MAP * height).max(LEAST_MAP));
+        return notes(ui, found);
+    }
+    ui.horizontal_top(|ui| {
+        ui.vertical(|ui| {
+            ui.set_width(BESIDE * width);
+            picture::show(ui, found, height - ui.spacing().item_spacing.y);
+        });
+        ui.vertical(|ui| notes(ui, found));
+    });
+}
+
+fn notes(ui: &mut Ui, found: &FoundProjection) {
     Grid::new("projection").num_columns(2).spacing([12.0, 2.0]).show(ui, |ui| {
         for (label, text) in numbers(found) {
             ui.label(RichText::new(label).small());
