@@ -112,7 +112,9 @@ impl RiemapApp {
             None => {}
             Some(Arrived::Outline(origin, geographic)) => {
                 self.begin_change(Touched::ANOTHER_SHAPE);
-                geographic.map(Offer::to_project).into_iter().for_each(|offer| self.messages.suggest(offer));
+                if let Some(file) = geographic {
+                    self.messages.suggest(Offer::to_project(file));
+                }
                 if origin == Origin::PastedText {
                     self.editor.end_paste(&mut self.model, &mut self.pictures.views);
                 }

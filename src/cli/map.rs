@@ -421,7 +421,9 @@ impl Scene<'_> {
         let mut parts = parts(self.map, &self.constraints);
         if !self.map.is_through_disk() {
             // two surfaces are drawn as mapped into the disk, where the pins have no places
-            parts.iter_mut().for_each(|part| part.panel.pins = &self.pins[part.side]);
+            for part in &mut parts {
+                part.panel.pins = &self.pins[part.side];
+            }
         }
         let grid = parts.first().map(|part| {
             let (low, high) = part.panel.bounds();

@@ -173,12 +173,23 @@ fn points_that_follow_from_pins_are_searched_over_frames_while_the_last_map_stay
     model.dispatch(first, 0.0);
     for frame in 0..3 {
         model.refresh(true);
-        assert_eq!((model.session().side(Side::Target).points(), moved(&model, &before)), (points, 0.0), "frame {frame}");
+        assert_eq!(
+            (model.session().side(Side::Target).points(), moved(&model, &before)),
+            (points, 0.0),
+            "frame {frame}"
+        );
         assert!(model.is_pending(), "frame {frame}");
     }
     // moved on meanwhile: the search under way ends, then the one for the last place begins
     model.dispatch(last.clone(), 0.0);
-    let frames = (0..10_000).take_while(|_| model.is_pending() && { model.refresh(true); true }).count();
+    let frames = (0..10_000)
+        .take_while(|_| {
+            model.is_pending() && {
+                model.refresh(true);
+                true
+            }
+        })
+        .count();
     assert!(!model.is_pending() && frames > 3, "{frames} frames");
     at_once.dispatch(last, 0.0);
     rest(&mut at_once);

@@ -169,7 +169,8 @@ fn boundary_extremes(polygon: &[DVec2], value: &(dyn Fn(DVec2) -> f64 + Sync)) -
         };
         let mut best: Vec<(usize, (f64, f64))> = taken.iter().map(of_edge).enumerate().collect();
         best.sort_by(|a, b| (sign * b.1.1).total_cmp(&(sign * a.1.1)));
-        let polished = best.into_iter().take(POLISHED).map(|(k, start)| polished(start, step, sign, &|share| at(k, share)));
+        let polished =
+            best.into_iter().take(POLISHED).map(|(k, start)| polished(start, step, sign, &|share| at(k, share)));
         sign * polished.map(|value| sign * value).fold(f64::NEG_INFINITY, f64::max)
     })
 }
@@ -223,7 +224,7 @@ mod tests {
         for (low, high) in [([0.37, 0.0], [1.0, 0.81]), ([0.0, 0.93], [0.45, 1.0]), ([0.0, 0.06], [1.0, 1.0])] {
             let [low, high] = [low, high].map(DVec2::from_array);
             // −1 at `low` and 1 at `high` only
-            let bump = |z: DVec2, at: DVec2| (-20.0 * z.distance_squared(at)).exp();
+            let bump = |z: DVec2, at: DVec2| (-200.0 * z.distance_squared(at)).exp();
             let [least, most] = boundary_extremes(&square, &|z| bump(z, high) - bump(z, low));
             assert!((least + 1.0).abs() < 1e-8 && (most - 1.0).abs() < 1e-8, "{low}, {high}: {least}, {most}");
         }

@@ -311,7 +311,10 @@ fn a_mark_is_moved_in_order_only() {
     assert_eq!(session.apply(moved(4, 0.7)), Touched::NOTHING, "there is no fifth");
     assert_eq!(session.marks(side), Some(marks));
     assert_eq!(session.apply(moved(3, 1.05)), Touched::COMPARISON);
-    assert_eq!(session.marks(side).map(|marks| marks.map(|mark| (1e9 * mark).round() / 1e9)), Some([0.1, 0.3, 0.6, 0.05]));
+    assert_eq!(
+        session.marks(side).map(|marks| marks.map(|mark| (1e9 * mark).round() / 1e9)),
+        Some([0.1, 0.3, 0.6, 0.05])
+    );
     session.apply(Command::Swap);
     assert!(session.marks(Side::Source).is_none() && session.marks(Side::Target).is_some());
     // marks that were typed in a wrong order can be put right one after another

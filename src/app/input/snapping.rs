@@ -193,12 +193,11 @@ mod tests {
     #[test]
     fn between_close_corners_a_point_is_free() {
         let corners: Vec<DVec2> = (0..200).map(|k| DVec2::new(0.05 * f64::from(k), 0.0)).collect();
-        let caught =
-            |x: f64| {
-                let at = DVec2::new(x, 0.0);
-                let found = of_boundary(None, &corners, at, REACH, on_screen, |place| on_screen(at, place));
-                found.map(|catch| catch.place.x)
-            };
+        let caught = |x: f64| {
+            let at = DVec2::new(x, 0.0);
+            let found = of_boundary(None, &corners, at, REACH, on_screen, |place| on_screen(at, place));
+            found.map(|catch| catch.place.x)
+        };
         assert_eq!(caught(5.01), Some(5.0));
         assert_eq!([5.013, 5.02, 5.03, 5.037].map(caught), [None; 4]);
         assert!(caught(5.04).is_some_and(|x| (x - 5.05).abs() < 1e-12));

@@ -158,14 +158,18 @@ fn a_mark_is_moved_by_keys_and_by_a_finger_and_locked_with_the_comparisons() {
         modifiers: egui::Modifiers::NONE,
     };
     let down = [touch(egui::TouchPhase::Start, at), egui::Event::PointerMoved(at), button(at, true)];
-    down.into_iter().for_each(|event| harness.event(event));
+    for event in down {
+        harness.event(event);
+    }
     harness.step();
     let to = at + egui::vec2(0.0, 20.0);
-    [touch(egui::TouchPhase::Move, to), egui::Event::PointerMoved(to)]
-        .into_iter()
-        .for_each(|event| harness.event(event));
+    for event in [touch(egui::TouchPhase::Move, to), egui::Event::PointerMoved(to)] {
+        harness.event(event);
+    }
     harness.step();
-    [touch(egui::TouchPhase::End, to), button(to, false)].into_iter().for_each(|event| harness.event(event));
+    for event in [touch(egui::TouchPhase::End, to), button(to, false)] {
+        harness.event(event);
+    }
     harness.step();
     let (moved, places) = marks_of_source(&harness);
     assert_ne!(moved[3], after[3]);

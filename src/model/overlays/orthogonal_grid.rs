@@ -114,7 +114,8 @@ impl GridState {
     /// nearly square in the mean.
     pub fn fit_cells(&mut self, side: Side, modulus: f64) {
         let count = f64::from(CELLS[0] * CELLS[1]);
-        let [along, across] = [(count / modulus).sqrt(), (count * modulus).sqrt()].map(|cells| cells.round().max(1.0) as u32);
+        let [along, across] =
+            [(count / modulus).sqrt(), (count * modulus).sqrt()].map(|cells| cells.round().max(1.0) as u32);
         self.sides[side].square = GridCells::new([along, across]);
     }
 
@@ -181,7 +182,9 @@ impl GridState {
         self.in_flight = None;
         if let Some(format) = task.file() {
             let saved = Side::BOTH.into_iter().find(|side| self.sides[*side].to_save.as_ref() == Some(task));
-            saved.into_iter().for_each(|side| self.sides[side].to_save = None);
+            if let Some(side) = saved {
+                self.sides[side].to_save = None;
+            }
             return Some(result.map(|found| file(found, format)));
         }
         for (side, _) in shown.iter().filter(|(_, shown)| shown.as_ref() == Some(task)) {
