@@ -75,4 +75,53 @@ withOneBackend('quadrilaterals', (bench) => {
       await app.until('every second line is drawn', (stats) => stats.grid_lines[0] === 74 + m - 1);
     }),
   );
+
+  test(
+    'a mark is dragged along the outline in one step, and a reload and the link keep it',
+    bench.withApp(async (app) => {
+      await marked(app);
+      const before = await app.atRest('the marks are there', (stats) => stats.ready && stats.handles.marks[0].length === 4);
+      const { marks } = (await app.session()).source;
+      const [x, y] = before.handles.marks[0][0];
+      await app.drag([x, y], [x + 30, y - 10]);
+      const after = await app.atRest(
+        'the mark has moved',
+        (stats, undo) => stats.ready && stats.undo === undo + 1 && stats.invariants[0]?.Ok?.modulus,
+        before.undo,
+      );
+      const moved = (await app.session()).source.marks;
+      assert.ok(moved[0] !== marks[0] && moved.slice(1).every((mark, k) => mark === marks[k + 1]), `${marks} to ${moved}`);
+      assert.notEqual(after.invariants[0].Ok.modulus.value, before.invariants[0].Ok.modulus.value);
+      await app.shot(`${bench.backend}-marks`);
+      await app.saying('state', /Marks of the source at \d/);
+      await app.reload();
+      await app.atRest('the map is there again');
+      assert.deepEqual((await app.session()).source.marks, moved);
+      await app.press('Control+z');
+      await app.until('the mark is back', (stats, undo) => stats.undo === undo, before.undo);
+      assert.deepEqual((await app.session()).source.marks, marks);
+    }),
+  );
+});
+
+withOneBackend('chains', (bench) => {
+  test(
+    'the target becomes the source, and one undo brings the former one back',
+    bench.withApp(async (app) => {
+      const before = await app.atRest('the map is there');
+      const { source, target } = await app.session();
+      await app.walkTo(/^Shapes, button/);
+      await app.press('Space');
+      await app.walkTo(/^Continue from the target, button/);
+      await app.shot(`${bench.backend}-continue`);
+      await app.press('Space');
+      const isNext = (stats, undo) => stats.ready && stats.undo === undo + 1;
+      await app.atRest('the target is the source, too', isNext, before.undo);
+      const next = await app.session();
+      assert.deepEqual([next.source, next.target], [target, target]);
+      await app.press('Control+z');
+      await app.atRest('the former source is back', (stats, undo) => stats.ready && stats.undo === undo, before.undo);
+      assert.deepEqual((await app.session()).source, source);
+    }),
+  );
 });
