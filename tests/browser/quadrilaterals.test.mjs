@@ -42,8 +42,8 @@ withOneBackend('quadrilaterals', (bench) => {
       await app.walkTo(/^Orthogonal grid, check box, not selected/);
       await app.press('Space');
       const [n, m] = squareCells(value);
-      const hasLines = (stats) => stats.ready && stats.grid_lines.every((count) => count === n + m - 2);
-      await app.atRest('the grid and the lattice are there', hasLines);
+      const hasLines = (stats, lines) => stats.ready && stats.grid_lines.every((count) => count === lines);
+      await app.atRest('the grid and the lattice are there', hasLines, n + m - 2);
       await app.shot(`${bench.backend}-quadrilateral`);
       const cells = new RegExp(`Orthogonal grid · [Ss]ource: ${n} × ${m} cells\\. Nodes right to `);
       await app.saying('state', cells);
@@ -72,7 +72,7 @@ withOneBackend('quadrilaterals', (bench) => {
       await app.press('Control+a');
       await app.page.keyboard.type('150');
       await app.press('Enter');
-      await app.until('every second line is drawn', (stats) => stats.grid_lines[0] === 74 + m - 1);
+      await app.until('every second line is drawn', (stats, lines) => stats.grid_lines[0] === lines, 74 + m - 1);
     }),
   );
 
