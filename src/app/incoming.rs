@@ -200,7 +200,7 @@ impl RiemapApp {
         match kind {
             FileKind::Trace(side) => return self.take_traced(side, files::traced(&picture)),
             FileKind::Picture(side) => {
-                self.messages.offer = Some(Offer::question(side, picture, file));
+                self.messages.suggest(Offer::question(side, picture, file));
                 return;
             }
             _ => {}
@@ -209,7 +209,7 @@ impl RiemapApp {
             return self.show_image(picture, file);
         }
         let side = if let FilePurpose::Dropped(side) = purpose { side } else { Side::Source };
-        self.messages.offer = Some(Offer::new(side, &picture));
+        self.messages.suggest(Offer::new(side, &picture));
         self.end_tour(); // the texture replaces the tour's picture
         self.use_image(picture, file);
     }

@@ -3,6 +3,7 @@
 use super::message_bar::MessageBar;
 use super::panels::offer::Offer;
 use crate::language::{Label, Message};
+use std::collections::VecDeque;
 
 /// How long a notice is shown, in seconds: once it is noticed, two words are read in one second.
 const NOTICE_SECONDS: f64 = 3.0;
@@ -30,8 +31,8 @@ pub struct Messages {
     /// The picture that can be traced, or the file that can be shown as a map.
     pub offer: Option<Offer>,
     pub notice: Option<Notice>,
-    /// What is offered once the question that stands is answered.
-    later: Option<Offer>,
+    /// What is offered and asked once the question that stands is answered, in order.
+    later: VecDeque<Offer>,
     /// The parts of the message and the offer that are shown below the pictures.
     pub bar: MessageBar,
 }
@@ -44,14 +45,23 @@ impl Messages {
 
     /// Offers something in the place of another offer; while a question waits for its answer, after that.
     pub fn suggest(&mut self, offer: Offer) {
-        let waits = self.offer.as_ref().is_some_and(Offer::is_question);
-        *(if waits { &mut self.later } else { &mut self.offer }) = Some(offer);
+        if self.offer.as_ref().is_some_and(Offer::is_question) {
+            self.later.push_back(offer);
+        } else {
+            self.offer = Some(offer);
+        }
+    }
+
+    /// The number of offers and questions that wait.
+    #[cfg(test)]
+    pub fn waiting(&self) -> usize {
+        self.later.len()
     }
 
     /// Makes the offer that has waited the present one, where there is none.
     pub fn go_on(&mut self) {
         if self.offer.is_none() {
-            self.offer = self.later.take();
+            self.offer = self.later.pop_front();
         }
     }
 }

@@ -176,12 +176,15 @@ fn a_question_waits_for_its_answer_whatever_else_is_opened() {
     picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
     let mut harness = ready_app([1200.0, 800.0]);
     let context = harness.ctx.clone();
-    harness.state_mut().take_file(FilePurpose::Outline(Side::Source), "box.png", Ok(bytes.into_inner()));
+    let bytes = bytes.into_inner();
+    harness.state_mut().take_file(FilePurpose::Outline(Side::Source), "box.png", Ok(bytes.clone()));
     step_until(&mut harness, |app| app.messages.offer.is_some());
     let before = harness.state().session().clone();
     let region = br#"{"type":"Polygon","coordinates":[[[0,40],[20,40],[20,50],[0,50],[0,40]]]}"#;
     harness.state_mut().take_file(FilePurpose::Outline(Side::Target), "box.geojson", Ok(region.to_vec()));
     step_until(&mut harness, |app| app.session().domain(Side::Target) != before.domain(Side::Target));
+    harness.state_mut().take_file(FilePurpose::Outline(Side::Target), "box.png", Ok(bytes));
+    step_until(&mut harness, |app| app.messages.waiting() == 2);
     harness.run_steps(2);
     harness.get_by_label("Trace its silhouette");
     assert!(harness.query_by_label("Show as a map").is_none());
@@ -189,6 +192,9 @@ fn a_question_waits_for_its_answer_whatever_else_is_opened() {
     harness.run_steps(3);
     harness.get_by_label("Show as a map");
     assert!(harness.query_by_label("Trace its silhouette").is_none());
+    harness.state_mut().carry_out(&context, vec![Action::DismissOffer]);
+    harness.run_steps(3);
+    harness.get_by_label("Trace its silhouette");
 }
 
 #[test]
