@@ -213,14 +213,15 @@ impl Pins {
         let count = self.0.len();
         let neighbors = (0..count).map(|k| [k, (k + 1) % count, (k + 2) % count]);
         let triples: Vec<_> = std::iter::once(order::spread(&self.0)).chain(neighbors.take(MOST_BEGINNINGS)).collect();
-        let best =
-            Fit::new(&self.0, &source, &target).best(&triples).ok_or(PinError::NotFound { side: Side::Target })?;
-        let first = source.omega(self.0[0].source);
-        let thirds = [0.0, 1.0, 2.0].map(|k| first + k / 3.0);
-        let from = source.fractions(thirds);
-        let onto = target.fractions(thirds.map(|omega| best.omega(omega)));
-        let pair = |k: usize| PerSide::new(if k == 0 { self.0[0].source } else { from[k] }, onto[k]);
-        Ok([0, 1, 2].map(pair))
+        let fit = || {
+            let best = Fit::new(&self.0, &source, &target).best(&triples)?;
+            let first = source.omega(self.0[0].source);
+            let thirds = [0.0, 1.0, 2.0].map(|k| first + k / 3.0);
+            let from = source.fractions(thirds);
+            let onto = target.fractions(thirds.map(|omega| best.omega(omega)));
+            Some([0, 1, 2].map(|k| PerSide::new(if k == 0 { self.0[0].source } else { from[k] }, onto[k])))
+        };
+        slices.fit(fit).ok_or(PinError::NotFound { side: Side::Target })
     }
 
     /// The distance between the image of each pin's source and its target, in the target's units.

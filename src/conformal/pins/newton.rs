@@ -1,9 +1,9 @@
 //! The point of a side that sees three arcs under given measures: Newton's method.
 //!
 //! In the plane the derivatives are those of [`View::derivative`] at first; each step then corrects them along itself
-//! (Broyden 1965), which saves one or two kernels. A step that leaves the side or does not improve is halved. On a surface they are those of the discrete harmonic functions of the arcs, which are nearly right, so that
-//! each step divides the error by ten or more. Both end at rounding, or where finite elements jump from triangle to
-//! triangle.
+//! (Broyden 1965), which saves one or two kernels. A step that leaves the side or does not improve is halved. On a surface
+//! they are those of the discrete harmonic functions of the arcs, which are nearly right, so that each step divides the
+//! error by ten or more. Both end at rounding, or where finite elements jump from triangle to triangle.
 
 use super::arcs::Arcs;
 use super::difference;
@@ -119,7 +119,7 @@ impl<'a> Wanted<'a> {
         let mut asked = self.measures;
         let mut best: Option<(InteriorPoint, Try<'a>)> = None;
         for _ in 0..STEPS {
-            let Some(x) = arcs.point(self.prepared, asked) else { break };
+            let Some(x) = self.slices.place(|| arcs.point(self.prepared, asked)) else { break };
             let found = self.try_at(x)?;
             if best.as_ref().is_some_and(|(_, least)| size(found.off) >= size(least.off)) {
                 break;

@@ -1,10 +1,11 @@
 //! The search for the map through pins in slices of time.
 //!
-//! The search is a function of pins, sides and points nearby, and spends its time in harmonic measures and in discrete
-//! harmonic functions of the sides. These are its steps: each is advanced until a deadline, and kept once it is complete. A
-//! search that was interrupted runs again from its beginning and gets the kept results back in the same order, which
-//! costs microseconds each. An interrupted step ends in an error, of which the search makes what it will: its outcome is
-//! dropped. So the result is, bit for bit, that of one slice without a deadline.
+//! The search is a function of pins, sides and points nearby, and spends its time in harmonic measures and discrete
+//! harmonic functions of the sides, in looking a place up in these, and in the fit of more than three pins. These are its
+//! steps: the first two are advanced until a deadline, and each is kept once it is complete. A search that was interrupted
+//! runs again from its beginning and gets the kept results back in the same order. An interrupted step ends in an error, of
+//! which the search makes what it will: its outcome is dropped. So the result is, bit for bit, that of one slice without a
+//! deadline.
 
 use super::{PinError, Pins};
 use crate::boundary_integral::{self, BoundaryIntegralError};
@@ -73,6 +74,8 @@ enum Step {
     OnCurve(Result<Arc<boundary_integral::HarmonicMeasure>, BoundaryIntegralError>),
     OnMesh(Result<Arc<HarmonicMeasure>, NotConverged>),
     Functions(Result<Arc<Vec<DVec2>>, NotConverged>),
+    Place(Option<InteriorPoint>),
+    Fit(Option<[PerSide<f64>; 3]>),
 }
 
 /// The result of a step, or `None` if it was interrupted.
@@ -111,16 +114,40 @@ impl Slices {
         equation: &BoundaryEquation,
         x: DVec2,
     ) -> Slice<boundary_integral::HarmonicMeasure, BoundaryIntegralError> {
+        match self.whole(|| Step::OnCurve(equation.harmonic_measure(x)))? {
+            Step::OnCurve(found) => Some(found),
+            _ => None,
+        }
+    }
+
+    /// A place that is looked up in all of a mesh; `None` also if there is none.
+    pub fn place(&self, find: impl FnOnce() -> Option<InteriorPoint>) -> Option<InteriorPoint> {
+        match self.whole(|| Step::Place(find()))? {
+            Step::Place(found) => found,
+            _ => None,
+        }
+    }
+
+    /// Three pairs of the map that misses more than three pins least; `None` also if there is none.
+    pub fn fit(&self, fit: impl FnOnce() -> Option<[PerSide<f64>; 3]>) -> Option<[PerSide<f64>; 3]> {
+        match self.whole(|| Step::Fit(fit()))? {
+            Step::Fit(found) => found,
+            _ => None,
+        }
+    }
+
+    /// A step that is not divided.
+    fn whole(&self, compute: impl FnOnce() -> Step) -> Option<Step> {
         let mut state = self.0.borrow_mut();
-        if let Some(Step::OnCurve(found)) = state.replay() {
-            return Some(found);
+        if let Some(known) = state.replay() {
+            return Some(known);
         }
         if !state.may_go_on() {
             return None;
         }
-        let found = equation.harmonic_measure(x);
-        state.keep(Step::OnCurve(found.clone()));
-        Some(found)
+        let step = compute();
+        state.keep(step.clone());
+        Some(step)
     }
 
     /// The harmonic measure of a mesh, counted from an anchor and seen from a point.

@@ -125,7 +125,8 @@ impl<'a> Marked<'a> {
 
     /// The point that sees the arcs under equal measures; on a surface the vertex that sees them most nearly so.
     fn middle(&self) -> Result<Found<'a>, PinError> {
-        let vertex = self.arcs()?.nearest(self.prepared, THIRDS).ok_or(self.not_found())?;
+        let arcs = self.arcs()?;
+        let vertex = self.slices.place(|| arcs.nearest(self.prepared, THIRDS)).ok_or(self.not_found())?;
         match vertex.in_plane() {
             Some(x) => self.found(THIRDS, [Some(x), start::beside_short_part(self.prepared, self.marks)]),
             None => Ok((vertex, self.view(vertex)?)),
@@ -144,7 +145,7 @@ impl<'a> Marked<'a> {
         if self.prepared.is_surface() {
             return wanted.on_surface(&arcs)?.ok_or(self.not_found());
         }
-        let from_mesh = arcs.point(self.prepared, measures).and_then(InteriorPoint::in_plane);
+        let from_mesh = self.slices.place(|| arcs.point(self.prepared, measures)).and_then(InteriorPoint::in_plane);
         self.found(measures, [from_mesh, start::beside_short_part(self.prepared, self.marks)])
     }
 
