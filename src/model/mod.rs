@@ -256,7 +256,7 @@ impl Model {
         self.coarse.map().is_some()
     }
 
-    /// Whether the full map is incomplete: [`Self::refresh`] continues it, except during a drag.
+    /// Whether the full map is incomplete, or its points are searched for: [`Self::refresh`] continues both.
     pub fn is_pending(&self) -> bool {
         self.under_way.is_pending() || self.pinned.is_behind()
     }
@@ -310,6 +310,11 @@ impl Model {
         self.shown.generation
     }
 
+    /// Whether points that follow from pins are searched for.
+    pub fn is_searching_points(&self) -> bool {
+        self.pinned.is_behind()
+    }
+
     /// Incremented when another mesh is mapped.
     pub fn mesh_generation(&self) -> u64 {
         self.shown.mesh_generation
@@ -322,7 +327,7 @@ impl Model {
 
     /// Whether a side shows a new outline since the last call, so that its viewport has to fit it.
     pub fn take_refit(&mut self, side: Side) -> bool {
-        let comes = self.under_way.is_pending() && self.under_way.next.is_some();
+        let comes = self.is_pending() && self.under_way.next.is_some();
         let shows_the_old_one = comes && self.shown.map.is_some() && !self.is_draft();
         !shows_the_old_one && std::mem::take(&mut self.sides[side].refit)
     }

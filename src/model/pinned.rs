@@ -38,7 +38,8 @@ pub(super) struct Pinned {
     pub(super) seen: PinsSeen,
 }
 
-/// The part of a frame's time for the map in which points are searched: 8 ms.
+/// The part of a frame's time for the map in which points of surfaces are searched: 8 ms. Between outlines a search takes
+/// about as long as the map itself, so that a drag does not wait for a second frame.
 const PART_OF_FRAME: f64 = 0.4;
 
 /// A search on these sides.
@@ -53,8 +54,8 @@ struct Search {
 pub(super) enum Following {
     /// They are those of the pins, or there are no pins.
     Done,
-    /// They are those of pins that have been moved on.
-    Behind,
+    /// They are those of pins that have been moved on meanwhile.
+    MovedOn,
     /// They are searched.
     Searching,
 }
@@ -68,7 +69,7 @@ struct Followed {
 }
 
 /// Whether the sides are the same ones.
-fn are(known: &PerSide<Weak<PreparedSide>>, sides: PerSide<&Arc<PreparedSide>>) -> bool {
+fn are_same_sides(known: &PerSide<Weak<PreparedSide>>, sides: PerSide<&Arc<PreparedSide>>) -> bool {
     Side::BOTH.into_iter().all(|side| known[side].as_ptr() == Arc::as_ptr(sides[side]))
 }
 
@@ -127,10 +128,15 @@ impl Pinned {
     }
 
     /// Records the pins of a map that was computed without error.
-    pub fn note_good(&mut self, pins: Option<&Pins>) {
-        if self.last_good.as_ref() != pins {
-            self.last_good = pins.cloned();
+    fn note_good(&mut self, pins: Option<Pins>) {
+        if self.last_good != pins {
+            self.last_good = pins;
         }
+    }
+
+    /// Ends a search: the last good pins are back.
+    pub fn give_up(&mut self) {
+        (self.search, self.is_behind) = (None, false);
     }
 
     /// Notes whether a dot is in hand; when it is let go, the message that it cannot go where it was dragged ends.
@@ -259,11 +265,12 @@ impl Model {
         if self.followed(&sides).is_some_and(|known| known.pins == pins) {
             return Following::Done;
         }
-        let mut search = match search.filter(|search| are(&search.sides, sides.as_ref())) {
+        let mut search = match search.filter(|search| are_same_sides(&search.sides, sides.as_ref())) {
             Some(search) => search,
             None => self.new_search(pins.clone(), &sides),
         };
-        let deadline = Deadline::in_ms(PART_OF_FRAME * self.update_ms);
+        let part = if self.abilities().compares_outlines() { 1.0 } else { PART_OF_FRAME };
+        let deadline = Deadline::in_ms(part * self.update_ms);
         let Some(found) = search.search.advance(sides.as_ref().map(Arc::as_ref), deadline) else {
             self.pinned.search = Some(search);
             return Following::Searching;
@@ -272,7 +279,7 @@ impl Model {
         match found {
             Ok(constraints) => {
                 self.place_points(&constraints, search.search.pins().clone(), &sides);
-                if is_latest { Following::Done } else { Following::Behind }
+                if is_latest { Following::Done } else { Following::MovedOn }
             }
             Err(_) if !is_latest => Following::Searching,
             Err(error) => {
@@ -284,11 +291,23 @@ impl Model {
         }
     }
 
+    /// Records the pins of the map that has just been computed without error: while the session's are searched for, those
+    /// that its points follow from.
+    pub(super) fn note_good_pins(&mut self) {
+        let pins = if self.pinned.is_behind {
+            let sides = PerSide::from_fn(|side| self.prepared(side).cloned()).both();
+            sides.and_then(|sides| Some(self.followed(&sides)?.pins.clone()))
+        } else {
+            self.session.pins().cloned()
+        };
+        self.pinned.note_good(pins);
+    }
+
     /// The pins that the present points follow from.
     fn followed(&self, sides: &PerSide<Arc<PreparedSide>>) -> Option<&Followed> {
         let present = PerSide::from_fn(|side| self.session.side(side).points());
         let followed = self.pinned.followed.as_ref().filter(|known| known.points == present);
-        followed.filter(|known| are(&known.sides, sides.as_ref()))
+        followed.filter(|known| are_same_sides(&known.sides, sides.as_ref()))
     }
 
     fn new_search(&self, pins: Pins, sides: &PerSide<Arc<PreparedSide>>) -> Search {

@@ -199,6 +199,30 @@ fn points_that_follow_from_pins_are_searched_over_frames_while_the_last_map_stay
     assert!(model.pin_misses().unwrap().iter().all(|miss| *miss < 1e-6), "{:?}", model.pin_misses());
 }
 
+/// What comes while points are searched for ends the search, and nothing waits for it.
+#[test]
+fn an_undo_or_another_surface_ends_a_search_for_points() {
+    let before = held_dome().session().clone();
+    let another = Command::SetSurface { side: Side::Target, surface: spec(SurfacePreset::Hemisphere, 90) };
+    for command in [Command::Open(Box::new(before.clone())), another, Command::SetPins(None)] {
+        let mut model = held_dome();
+        let fraction = model.pins().unwrap().pairs()[1].target + 0.04;
+        model.update_ms = 0.0;
+        model.dispatch(Command::MovePin { pin: 1, side: Side::Target, fraction }, 0.0);
+        model.refresh(true);
+        assert!(model.is_searching_points() && model.full_map().is_none());
+        assert_eq!(model.advance_overlays(0.0), None, "overlays wait");
+        model.dispatch(command.clone(), 0.0);
+        rest(&mut model);
+        assert!(!model.is_searching_points() && model.full_map().is_some(), "{command:?}");
+        match command {
+            Command::Open(_) => assert_eq!(model.session(), &before),
+            Command::SetPins(_) => assert_eq!(model.session().side(Side::Target), before.side(Side::Target)),
+            _ => assert_eq!(model.map_error(), None),
+        }
+    }
+}
+
 #[test]
 fn a_copy_of_the_model_has_the_same_points_to_the_last_bit() {
     let mut model = model(KernelMode::Adjoint);

@@ -60,7 +60,8 @@ impl Model {
     /// Prepares the map from a side for [`Self::pointed`], for at most one slice of a frame; returns whether that is
     /// complete, or not possible.
     pub fn prepare_pointer(&mut self, side: Side) -> bool {
-        let (shown, is_pending) = (&mut self.shown, self.under_way.is_pending());
+        let is_pending = self.is_pending();
+        let shown = &mut self.shown;
         let Some(map) = shown.map.as_ref().filter(|_| !is_pending) else { return true };
         if shown.pointer.generation != shown.map_generation {
             shown.pointer = Pointer { generation: shown.map_generation, ..Pointer::default() };

@@ -30,17 +30,7 @@ impl Model {
             changes.meshes |= self.take_sides();
             self.changed.points = true;
         }
-        if self.changed.points {
-            let following = self.follow_pins();
-            self.changed.points = following != Following::Done;
-            if following != Following::Searching {
-                self.under_way.revision += 1;
-                self.under_way.want();
-            }
-        } else if !self.is_pending() && self.lacks_grid() {
-            self.under_way.want();
-        }
-        if self.under_way.is_pending() {
+        if self.request_map() && self.under_way.is_pending() {
             changes |= self.go_on(dragging);
         }
         if !self.is_pending() && !dragging {
@@ -62,6 +52,25 @@ impl Model {
         }
         self.see_pins();
         changes
+    }
+
+    /// Requests the map of the points, once they follow from the pins; returns whether a map that is under way goes on: one
+    /// of other sides does not while its points are searched for.
+    fn request_map(&mut self) -> bool {
+        if !self.changed.points {
+            if !self.is_pending() && self.lacks_grid() {
+                self.under_way.want();
+            }
+            return true;
+        }
+        let following = self.follow_pins();
+        self.changed.points = following != Following::Done;
+        if following == Following::Searching {
+            return self.under_way.next.is_none();
+        }
+        self.under_way.revision += 1;
+        self.under_way.want();
+        true
     }
 
     /// Moves the pattern in the picture to its requested home, once the coordinates exist; returns whether it changed.
@@ -128,7 +137,7 @@ impl Model {
     /// Updates the overlays to the time `now` (seconds); returns in how many seconds to call again, if at all.
     pub fn advance_overlays(&mut self, now: f64) -> Option<f64> {
         // The coarse map has other boundaries, so the overlays wait for the full one.
-        let map = self.shown.map.as_ref().filter(|_| !self.under_way.is_pending())?;
+        let map = self.shown.map.as_ref().filter(|_| !self.is_pending())?;
         let situation = situation(map, &self.session, self.shown.map_generation)?;
         self.overlay_state.advance(&situation, self.session.comparison(), now)
     }
@@ -156,7 +165,8 @@ impl Model {
 
     /// Refines the extension in the picture if it is incomplete; returns whether images changed.
     fn refine(&mut self) -> bool {
-        let full = self.shown.map.as_mut().filter(|_| !self.under_way.is_pending());
+        let is_pending = self.is_pending();
+        let full = self.shown.map.as_mut().filter(|_| !is_pending);
         let Some(map) = self.coarse.map_mut().or(self.fine.map_mut()).or(full) else { return false };
         let incomplete = map.extension_progress() < 1.0;
         if incomplete {

@@ -115,9 +115,7 @@ impl Model {
             for side in Side::BOTH {
                 self.sides[side].last_good = self.session.side(side).points();
             }
-            if !self.pinned.is_behind() {
-                self.pinned.note_good(self.session.pins());
-            }
+            self.note_good_pins();
         }
         self.under_way.error = None;
         let (meshes, map) = (replaced || retired || turned, replaced || retired || renewed);
@@ -132,6 +130,8 @@ impl Model {
                 self.session.apply(Command::PlacePoints { side, points: self.sides[side].last_good });
             }
             self.session.apply(Command::SetPins(self.pinned.last_good().cloned()));
+            self.pinned.give_up();
+            self.changed.points = false;
         } else if !self.has_stand_in() {
             self.begin_at_the_default_point(error.side());
         }
