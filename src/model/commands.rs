@@ -316,6 +316,7 @@ impl Model {
         let Reshaped { interior, anchor, in_hand, turned } = reshaped;
         let interior = interior.and_then(|point| self.pushed_inside(side, point));
         self.carry_pins(side, &spec.outline, turned);
+        self.carry_marks(side, &spec.outline, turned);
         self.session.apply(Command::ReshapeOutline { side, outline: spec.outline, interior, anchor });
         if !in_hand {
             self.session.apply(Command::SetSettings { side, settings: spec.settings });
@@ -351,6 +352,8 @@ impl Model {
         }
         self.session.apply(Command::Swap);
         self.pinned.swap();
+        self.overlay_state.invariants.swap();
+        self.overlay_state.orthogonal_grids.swap();
         ModelSide::swap(&mut self.sides);
         for side in Side::BOTH {
             self.sides[side].refit = true;

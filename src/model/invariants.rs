@@ -32,17 +32,22 @@ impl Model {
     pub fn accept_invariants(&mut self, result: Result<FoundInvariants, Message>) {
         self.overlay_state.invariants.accept(result);
         for side in Side::BOTH {
-            if let Some(Ok(FoundInvariants { modulus: Some(modulus), .. })) = self.invariants(side) {
-                let modulus = modulus.value;
-                self.overlay_state.orthogonal_grids.fit_cells(side, modulus);
+            if let Some((result, marks)) = self.invariants(side).zip(self.marks(side)) {
+                let modulus = result.as_ref().ok().and_then(|found| Some(found.modulus?.value));
+                self.overlay_state.orthogonal_grids.fit_cells(side, marks, modulus);
             }
         }
+    }
+
+    /// Whether the invariants of a side are asked for: as such, or by marks.
+    pub fn shows_invariants(&self, side: Side) -> bool {
+        self.overlay_state.invariants.of(side).is_open || self.session.marks(side).is_some()
     }
 
     /// What is asked for of a side; `None` if nothing is, if the side is a surface, or while its outline is prepared.
     fn invariants_task(&self, side: Side) -> Option<InvariantsTask> {
         let asked = self.overlay_state.invariants.of(side);
-        if !asked.is_open || !self.abilities().has_outline(side) || self.is_preparing(side) {
+        if !self.shows_invariants(side) || !self.abilities().has_outline(side) || self.is_preparing(side) {
             return None;
         }
         Some(InvariantsTask {

@@ -7,6 +7,7 @@ use super::Model;
 use super::names;
 use super::overlays::orthogonal_grid::{GridAction, GridWork};
 use crate::conformal::{GridCells, PerSide, Pins, Side, rectangle_corners};
+use crate::drawing::carried_fraction;
 use crate::export::GridFormat;
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::language::{Message, Value, key};
@@ -26,10 +27,9 @@ const PINNED: usize = 3;
 const SAME: f64 = 1e-9;
 
 impl Model {
-    /// The marks of an outline, where they are asked for.
+    /// The marks of an outline.
     pub fn marks(&self, side: Side) -> Option<[f64; 4]> {
-        let is_asked = self.overlay_state.invariants.of(side).is_open && self.abilities().has_outline(side);
-        self.session.marks(side).filter(|_| is_asked)
+        self.session.marks(side).filter(|_| self.abilities().has_outline(side))
     }
 
     /// The modulus between an outline's marks, once it is computed.
@@ -79,6 +79,21 @@ impl Model {
         all.misses(self.full_map()?).last().copied()
     }
 
+    /// Carries a side's marks along to a reshaped outline. On one that was turned over, the vertices after the first run the
+    /// other way around; the first two marks and the last two change places, so that the cells of a grid stay where they are.
+    pub(super) fn carry_marks(&mut self, side: Side, outline: &OutlineSpec, is_turned: bool) {
+        let Some(marks) = self.session.marks(side) else { return };
+        let (old, new) = (self.session.domain(side).outline.polygon(), outline.polygon());
+        let mut vertices = new.vertices().to_vec();
+        let marks = if is_turned {
+            vertices[1..].reverse();
+            [1, 0, 3, 2].map(|k| (1.0 - carried_fraction(old.vertices(), &vertices, marks[k])).rem_euclid(1.0))
+        } else {
+            marks.map(|mark| carried_fraction(old.vertices(), &vertices, mark))
+        };
+        self.session.apply(Command::SetMarks { side, marks: Some(marks) });
+    }
+
     /// Changes what is asked for of the grids.
     pub fn act_on_grids(&mut self, action: GridAction) {
         let to_save = match action {
@@ -120,6 +135,12 @@ impl Model {
         lines
     }
 
+    /// Gives up the grid that is computed if it is no more wanted; returns whether it did.
+    pub fn gives_up_grid(&mut self) -> bool {
+        let shown = self.shown_grid_tasks();
+        self.overlay_state.orthogonal_grids.give_up(&shown)
+    }
+
     /// What the worker of the grids is to do at the time `now` in seconds.
     pub fn next_grid_work(&mut self, now: f64) -> GridWork {
         let shown = self.shown_grid_tasks();
@@ -136,10 +157,11 @@ impl Model {
         PerSide::from_fn(|side| self.shown_grid_task(side))
     }
 
-    /// What is to be computed for the screen.
+    /// What is to be computed for the screen, once the numbers of cells are known.
     fn shown_grid_task(&self, side: Side) -> Option<GridTask> {
-        let is_shown = self.overlay_state.orthogonal_grids.of(side).is_shown && !self.is_preparing(side);
-        if is_shown { self.grid_task(side, None) } else { None }
+        let grid = self.overlay_state.orthogonal_grids.of(side);
+        let has_cells = grid.has_cells_for(self.marks(side)?);
+        if grid.is_shown && has_cells && !self.is_preparing(side) { self.grid_task(side, None) } else { None }
     }
 
     fn grid_task(&self, side: Side, file: Option<GridFormat>) -> Option<GridTask> {

@@ -2,6 +2,7 @@
 
 use crate::conformal::{GridCells, Side};
 use crate::export::GridFormat;
+use crate::model::editing::{Change, Reshaping};
 use crate::model::overlays::invariants::InvariantsAction;
 use crate::model::overlays::orthogonal_grid::{GridAction, GridWork};
 use crate::model::surface_tests::settle;
@@ -132,6 +133,52 @@ fn the_lattice_lies_on_the_rectangle_until_a_pin_is_moved() {
     assert_eq!(model.grid_lines(Side::Source).len(), 3 + 2);
 }
 
+/// What is shown beside a picture belongs to its outline, however that has come to its side.
+#[test]
+fn marks_are_shown_with_their_outline_on_either_side() {
+    let (outline, marks) = preset(Preset::LShape, [0.0, 0.25, 0.625, 0.75]);
+    let mut model = marked(outline, marks);
+    model.act_on_grids(GridAction::Show(Side::Source, true));
+    let cells = GridCells::new([5, 3]).unwrap();
+    model.act_on_grids(GridAction::Cells(Side::Source, cells));
+    rest(&mut model);
+    model.dispatch(Command::Swap, 0.0);
+    rest(&mut model);
+    assert_eq!(Side::BOTH.map(|side| model.marks(side)), [None, Some(marks)]);
+    assert_eq!(model.grid_lines(Side::Target).len(), 4 + 2, "the grid goes along");
+    let mut opened = Model::new(model.session().clone());
+    rest(&mut opened);
+    assert!(opened.marks(Side::Target) == Some(marks) && opened.invariants(Side::Target).is_some());
+    model.dispatch(Command::Continue, 0.0);
+    rest(&mut model);
+    assert_eq!(Side::BOTH.map(|side| model.marks(side)), [Some(marks); 2]);
+}
+
+#[test]
+fn a_reshaped_outline_carries_its_marks() {
+    let points = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)].map(DVec2::from).to_vec();
+    let outline = OutlineSpec::points("L".into(), points.try_into().unwrap());
+    let corners = [0.0, 0.25, 0.375, 0.75]; // at (0, 0), (2, 0), (2, 1), (0, 2)
+    let mut model = marked(outline, corners);
+    let places = |model: &Model| {
+        let samples = model.domain(Side::Source).unwrap().samples().clone();
+        model.marks(Side::Source).unwrap().map(|mark| samples.position(samples.at_fraction(mark)))
+    };
+    let axis = 2.0; // twice the mirror's
+    let mut reshaping = Reshaping::new(Side::Source, &model);
+    reshaping.change(Change::Mirror, &mut model).unwrap();
+    rest(&mut model);
+    let expected = [(2.0, 0.0), (0.0, 0.0), (0.0, 2.0), (2.0, 1.0)].map(|(x, y)| DVec2::new(axis - x, y));
+    for (found, expected) in places(&model).into_iter().zip(expected) {
+        assert!(found.distance(expected) < 1e-9, "{found}, not {expected}");
+    }
+    assert!(crate::conformal::Marks::new(model.marks(Side::Source).unwrap()).is_ok());
+    reshaping.change(Change::Smooth, &mut model).unwrap();
+    rest(&mut model);
+    let first = places(&model)[1];
+    assert!(first.distance(DVec2::new(axis, 0.0)) < 0.5, "{first}");
+}
+
 #[test]
 fn a_file_is_made_of_the_grid_that_is_shown() {
     let (outline, marks) = preset(Preset::Disk, [0.0, 0.25, 0.5, 0.75]);
@@ -143,7 +190,7 @@ fn a_file_is_made_of_the_grid_that_is_shown() {
     assert_eq!(file.name, "riemap_grid.csv");
     assert_eq!(String::from_utf8(file.bytes).unwrap().lines().count(), 1 + 15 * 15);
     model.act_on_grids(GridAction::Save(Side::Source, GridFormat::Obj));
-    assert!(matches!(model.next_grid_work(0.0), GridWork::Begin(_)));
+    assert!(!model.gives_up_grid() && matches!(model.next_grid_work(0.0), GridWork::Begin(_)));
     model.act_on_grids(GridAction::Cancel(Side::Source));
-    assert_eq!(model.next_grid_work(0.0), GridWork::Cancel);
+    assert!(model.gives_up_grid() && model.next_grid_work(0.0) == GridWork::Nothing);
 }

@@ -36,6 +36,9 @@ pub enum Quantity {
     /// y₁ or y₂, as a fraction of arc length.
     #[error("the place of a boundary point")]
     Anchor,
+    /// A mark of a quadrilateral, as a fraction of arc length.
+    #[error("the place of a mark")]
+    Mark,
     /// The cells of the texture across its domain.
     #[error("the number of cells of the texture")]
     Cells,
@@ -94,7 +97,7 @@ impl Session {
         }
         sides().try_for_each(|side| within(Quantity::Anchor, side.anchor, &(0.0..=1.0)))?;
         for mark in self.marks.iter().filter_map(|(_, marks)| *marks).flatten() {
-            within(Quantity::Anchor, mark, &(0.0..=1.0))?;
+            within(Quantity::Mark, mark, &(0.0..=1.0))?;
         }
         within(Quantity::Cells, self.display.texture_scale, &CELLS)?;
         let PicturePlacement { middle, size, turn } = self.display.picture;

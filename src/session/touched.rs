@@ -29,7 +29,7 @@ impl Touched {
     pub const COLOURS: Self = Self(1 << 6);
     /// Whether the plots are open.
     pub const PLOTS: Self = Self(1 << 7);
-    /// The methods that the map is compared with, and whether symmetries are shown.
+    /// The methods that the map is compared with, whether symmetries are shown, the painted region and the marks.
     pub const COMPARISON: Self = Self(1 << 8);
     /// Everything that affects only the display of a map.
     pub const VIEW: Self = Self(Self::PATTERN.0 | Self::COLOURS.0 | Self::PLOTS.0 | Self::COMPARISON.0);

@@ -30,14 +30,17 @@ pub fn show(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     let heading = say(&key::invariants_of(words::side(side)));
     explained_heading(ui, &heading, key::invariants_explained());
     let mut wanted = Vec::new();
-    let mut is_open = asked.is_open;
+    let mut is_open = model.shows_invariants(side);
     let compute = ui.checkbox(&mut is_open, tr(key::compute_invariants()));
     // both sides have such a box
     compute.widget_info(|| WidgetInfo::selected(egui::Role::CheckBox, true, is_open, &heading));
     if compute.changed() {
         wanted.push(InvariantsAction::Open(side, is_open));
+        if !is_open && model.session().marks(side).is_some() {
+            actions.push(Action::Session(Command::SetMarks { side, marks: None }));
+        }
     }
-    if asked.is_open {
+    if model.shows_invariants(side) {
         marks(ui, side, model, actions);
         second_point(ui, side, asked, model, &mut wanted);
         result(ui, side, model);

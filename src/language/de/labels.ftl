@@ -1018,8 +1018,8 @@ caught_dot = { $dot } liegt { $place }.
 
 ## chains
 continue_from_target = Vom Ziel aus weiter
-continue_tooltip = Das Ziel wird auch zur Quelle, mit Umriss und Punkten; wähl dann ein anderes Ziel: Eine Kette von Abbildungen geht von dort weiter
-choose_next_target = Wähl nun das nächste Ziel
+continue_tooltip = Das Ziel wird auch zur Quelle, mit Form, Punkten und Marken; wähl dann ein anderes Ziel: Eine Kette von Abbildungen geht von dort weiter
+choose_next_target = Wähl ein Ziel
 
 ## quadrilaterals
 quadrilateral = Rechteck und Gitter
@@ -1040,8 +1040,8 @@ computing_at = Wird berechnet… { $percent } %
 modulus_uncertain = der Modul ist { $value } mit einem Fehler von { $error }: den inneren Punkt zwischen die Marken ziehen
 explain_mark = Eine Ecke des Vierecks. Zieh sie am Umriss entlang, oder geh mit Tab zu ihr und nimm die Pfeiltasten; sie bleibt zwischen ihren Nachbarn.
 mark_of_side = Marke { $mark } ({ $side })
-accessible_marks = Marken ({ $side }) bei { $first }, { $second }, { $third } und { $fourth } % des Randes.
-quadrilateral_limit = Jede weitere Breite an Länge kostet einen Faktor fünf an Genauigkeit: bei 18 (oder 1/18) bleiben fünf Stellen, bei 22 zwei. Verschieb Marken, sodass es kürzer wird, oder teile den Umriss quer und mach das Gitter jedes Teils.
+accessible_marks = Marken ({ $side }) bei { $first }; { $second }; { $third } und { $fourth } % des Randes.
+quadrilateral_limit = Für jede Breite, um die das Viereck länger ist, geht ein Faktor fünf an Genauigkeit verloren: bei 18 (oder 1/18) bleiben fünf Stellen, bei 22 zwei. Verschieb Marken, sodass das Viereck kürzer wird, oder teile den Umriss quer und mach das Gitter jedes Teils.
 accessible_grid = Rechtwinkliges Gitter · { $side }: { $first } × { $second } Zellen. { $accuracy }
 save_grid_as = Gitter als { $format } speichern
 

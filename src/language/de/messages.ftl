@@ -462,6 +462,7 @@ not_carried_inexact = er liegt für seine Größe zu weit vom Ursprung
 limit_version = die Version der Sitzung
 limit_coordinate = eine Koordinate eines inneren Punkts
 limit_anchor = die Lage eines Randpunkts
+limit_mark = die Lage einer Marke
 limit_cells = die Anzahl der Zellen der Textur
 limit_picture = die Lage des Bildes
 limit_samples = die Anzahl der Randpunkte

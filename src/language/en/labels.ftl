@@ -1018,8 +1018,8 @@ caught_dot = { $dot } is { $place }.
 
 ## chains
 continue_from_target = Continue from the target
-continue_tooltip = The target becomes the source too, with its outline and its points; then choose another target: a chain of maps goes on from there
-choose_next_target = Now choose the next target
+continue_tooltip = The target becomes the source too, with its shape, points and marks; then choose another target: a chain of maps goes on from there
+choose_next_target = Choose a target
 
 ## quadrilaterals
 quadrilateral = Rectangle and grid
@@ -1041,7 +1041,7 @@ modulus_uncertain = the modulus is { $value } with an error of { $error }: move 
 explain_mark = A corner of the quadrilateral. Drag it along the outline, or focus it and use the arrow keys; it stays between its neighbors.
 mark_of_side = Mark { $mark } of the { $side }
 accessible_marks = Marks of the { $side } at { $first }, { $second }, { $third } and { $fourth } % of the boundary.
-quadrilateral_limit = Each width more of length costs a factor of five in accuracy: at 18 (or 1/18) five digits are left, at 22 two. Move marks so that it gets shorter, or cut the outline across and make the grid of each part.
+quadrilateral_limit = For each width by which the quadrilateral is longer, a factor of five in accuracy is lost: at 18 (or 1/18) five digits are left, at 22 two. Move marks so that the quadrilateral gets shorter, or cut the outline across and make the grid of each part.
 accessible_grid = Orthogonal grid · { $side }: { $first } × { $second } cells. { $accuracy }
 save_grid_as = Save the grid as { $format }
 

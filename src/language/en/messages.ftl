@@ -462,6 +462,7 @@ not_carried_inexact = it lies too far from the origin for its size
 limit_version = the session's version
 limit_coordinate = a coordinate of an interior point
 limit_anchor = the place of a boundary point
+limit_mark = the place of a mark
 limit_cells = the number of cells of the texture
 limit_picture = the placement of the picture
 limit_samples = the number of boundary samples

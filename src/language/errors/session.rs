@@ -110,6 +110,7 @@ impl From<Quantity> for Label {
             Quantity::Version => key::limit_version(),
             Quantity::Coordinate => key::limit_coordinate(),
             Quantity::Anchor => key::limit_anchor(),
+            Quantity::Mark => key::limit_mark(),
             Quantity::Cells => key::limit_cells(),
             Quantity::Picture => key::limit_picture(),
             Quantity::Dabs => key::limit_dabs(),

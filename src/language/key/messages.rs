@@ -37,7 +37,7 @@ keys_of_labels! {
     // lesson
     step_own_picture, lesson_not_text, lesson_no_steps,
     // session
-    link_no_session, link_damaged, link_too_much, not_carried_inexact, limit_version, limit_coordinate, limit_anchor,
+    link_no_session, link_damaged, link_too_much, not_carried_inexact, limit_version, limit_coordinate, limit_anchor, limit_mark,
     limit_cells, limit_picture, limit_samples, limit_growth, limit_surface_boundary, limit_weight, limit_weight_sum,
     limit_surface_anchor, choice_direction, choice_side, choice_kernel, choice_solver, choice_colouring,
     choice_texture, choice_extension, choice_comparison, choice_setting, choice_outline, choice_surface,

@@ -126,7 +126,9 @@ fn a_region_is_painted_dab_by_dab_and_its_areas_are_kept() {
     assert_eq!(model.session().region().len(), 3);
     model.advance_best(0.0, false);
     let count = model.prepared(Side::Source).unwrap().triangles().len();
-    let share = model.best().painted(count).len() as f64 / count as f64;
+    let mut painted: Vec<usize> = model.best().painted(count).iter().map(|part| part.triangle).collect();
+    painted.dedup();
+    let share = painted.len() as f64 / count as f64;
     assert!(share > 0.005 && share < 0.5, "{share} of the triangles");
     model.act_on_best(BestAction::Start);
     run(&mut model, true);

@@ -1,6 +1,6 @@
 //! The conformal invariants of the planar sides: what is asked for, what a worker computes, what was found.
 //!
-//! Only sides whose panel is open are computed, one at a time and at rest. A result belongs to its request: after a
+//! Only sides of which they are asked for, or which have marks, are computed, one at a time and at rest. A result belongs to its request: after a
 //! change the former numbers are not shown.
 
 use crate::conformal::{PerSide, Side};
@@ -20,7 +20,7 @@ pub enum InvariantsAction {
 /// What is asked for of a side, and the last result.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SideInvariants {
-    /// Whether the panel is open.
+    /// Whether they are asked for, also without marks.
     pub is_open: bool,
     /// The second point.
     pub second_point: Option<DVec2>,
@@ -46,6 +46,11 @@ impl InvariantsState {
             InvariantsAction::Open(side, is_open) => self.sides[side].is_open = is_open,
             InvariantsAction::SecondPoint(side, point) => self.sides[side].second_point = point,
         }
+    }
+
+    /// Follows an exchange of the sides; numbers are computed anew.
+    pub fn swap(&mut self) {
+        self.sides.swap();
     }
 
     /// Whether a result for one of the tasks is missing, and none is in flight.

@@ -36,8 +36,8 @@ pub struct SideGrid {
     pub is_shown: bool,
     /// The numbers of cells that were chosen.
     cells: Option<GridCells>,
-    /// Those that make the cells nearly square.
-    square: Option<GridCells>,
+    /// Those that make the cells of the quadrilateral with these marks nearly square.
+    square: Option<([f64; 4], GridCells)>,
     /// The file to save.
     to_save: Option<GridTask>,
     found: Option<(GridTask, Result<FoundGrid, Message>)>,
@@ -50,9 +50,7 @@ pub enum GridWork {
     Nothing,
     /// Wait; in this many seconds there is something to begin with, unless something else is asked for until then.
     Wait(f64),
-    /// Give up what it does. What it is to do instead is said by the next call.
-    Cancel,
-    /// Begin with this, and give up what it does.
+    /// Begin with this.
     Begin(GridTask),
 }
 
@@ -70,7 +68,12 @@ pub struct GridState {
 impl SideGrid {
     /// The numbers of cells along the sides from mark 1 to 2 and from mark 2 to 3.
     pub fn cells(&self) -> Option<GridCells> {
-        self.cells.or(self.square).or(GridCells::new(CELLS))
+        self.cells.or(self.square.map(|(_, cells)| cells)).or(GridCells::new(CELLS))
+    }
+
+    /// Whether the numbers of cells are chosen, or known for these marks.
+    pub fn has_cells_for(&self, marks: [f64; 4]) -> bool {
+        self.cells.is_some() || self.square.is_some_and(|(known, _)| known == marks)
     }
 
     /// The result of this very task.
@@ -110,13 +113,20 @@ impl GridState {
         self.sides[side].cells = Some(cells);
     }
 
-    /// Takes in the modulus of a side: until numbers of cells are chosen, there are about as many cells as in the beginning,
-    /// nearly square in the mean.
-    pub fn fit_cells(&mut self, side: Side, modulus: f64) {
+    /// Takes in the modulus between marks of a side, `None` if there is none: until numbers of cells are chosen, there are
+    /// about as many cells as in the beginning, nearly square in the mean.
+    pub fn fit_cells(&mut self, side: Side, marks: [f64; 4], modulus: Option<f64>) {
         let count = f64::from(CELLS[0] * CELLS[1]);
-        let [along, across] =
-            [(count / modulus).sqrt(), (count * modulus).sqrt()].map(|cells| cells.round().max(1.0) as u32);
-        self.sides[side].square = GridCells::new([along, across]);
+        let fitted = |modulus: f64| {
+            [(count / modulus).sqrt(), (count * modulus).sqrt()].map(|cells| cells.round().max(1.0) as u32)
+        };
+        let cells = GridCells::new(modulus.map_or(CELLS, fitted)).or(GridCells::new(CELLS));
+        self.sides[side].square = cells.map(|cells| (marks, cells));
+    }
+
+    /// Follows an exchange of the sides.
+    pub fn swap(&mut self) {
+        self.sides.swap();
     }
 
     /// The file to save of a side's grid, in the place of its last one; `None`: none any more.
@@ -124,19 +134,22 @@ impl GridState {
         self.sides[side].to_save = task;
     }
 
-    /// What the worker is to do at the time `now` in seconds, where these grids are shown.
-    pub fn next(&mut self, shown: &PerSide<Option<GridTask>>, now: f64) -> GridWork {
+    /// What is to be computed, where these grids are shown: files first.
+    fn wanted(&self, shown: &PerSide<Option<GridTask>>) -> Option<GridTask> {
         let is_missing = |(side, task): &(Side, &GridTask)| self.sides[*side].result(task).is_none();
         let missing = shown.iter().filter_map(|(side, task)| Some((side, task.as_ref()?))).find(is_missing);
         let to_save = self.sides.iter().find_map(|(_, side)| side.to_save.as_ref());
-        let wanted = to_save.or(missing.map(|(_, task)| task)).cloned();
-        if wanted == self.in_flight {
-            return GridWork::Nothing;
-        }
-        if self.in_flight.take().is_some() {
-            return GridWork::Cancel;
-        }
-        let Some(task) = wanted else { return GridWork::Nothing };
+        to_save.or(missing.map(|(_, task)| task)).cloned()
+    }
+
+    /// Gives up what the worker does if something else is wanted, or nothing; returns whether it did.
+    pub fn give_up(&mut self, shown: &PerSide<Option<GridTask>>) -> bool {
+        self.in_flight.is_some() && self.wanted(shown) != self.in_flight && self.in_flight.take().is_some()
+    }
+
+    /// What the worker is to do at the time `now` in seconds, where these grids are shown; nothing while it does something.
+    pub fn next(&mut self, shown: &PerSide<Option<GridTask>>, now: f64) -> GridWork {
+        let Some(task) = self.wanted(shown).filter(|_| self.in_flight.is_none()) else { return GridWork::Nothing };
         if task.file().is_none() {
             let left = self.wait_for(&task, now);
             if left > 0.0 {
@@ -240,8 +253,9 @@ mod tests {
         assert!((state.done_of(&disk) - 0.5).abs() < 1e-12 && state.done_of(&square) < 1e-12);
         let csv = task(Preset::Disk, Some(GridFormat::Csv));
         state.save(Side::Source, Some(csv.clone()));
-        assert_eq!(state.next(&both, 0.0), GridWork::Cancel);
+        assert!(state.give_up(&both));
         assert_eq!(state.next(&both, 0.0), GridWork::Begin(csv.clone()), "a file waits for nothing");
+        assert!(!state.give_up(&both));
         assert_eq!(state.accept(&disk, lines(), &both), None, "superseded");
         let saved = state.accept(&csv, found(GridContent::File("i,j".into())), &both).unwrap().unwrap();
         assert_eq!((saved.name.as_str(), saved.bytes.as_slice()), ("riemap_grid.csv", &b"i,j"[..]));
@@ -255,8 +269,8 @@ mod tests {
         // another outline, and then none
         let other = PerSide::new(Some(task(Preset::Star, None)), None);
         assert!(matches!(rested(&mut state, &other), GridWork::Begin(_)) && state.is_computing());
-        assert_eq!(rested(&mut state, &none), GridWork::Cancel);
-        assert!(rested(&mut state, &none) == GridWork::Nothing && !state.is_computing());
+        assert!(state.give_up(&none) && !state.is_computing());
+        assert!(rested(&mut state, &none) == GridWork::Nothing && !state.give_up(&none));
     }
 
     #[test]
@@ -265,11 +279,13 @@ mod tests {
         let counts = |state: &GridState| state.of(Side::Target).cells().unwrap().counts();
         assert_eq!(counts(&state), CELLS);
         for (modulus, expected) in [(0.5, [20, 10]), (1.0, [14, 14]), (2.0, [10, 20]), (17.9, [3, 60])] {
-            state.fit_cells(Side::Target, modulus);
+            assert!(!state.of(Side::Target).has_cells_for([modulus; 4]));
+            state.fit_cells(Side::Target, [modulus; 4], Some(modulus));
+            assert!(state.of(Side::Target).has_cells_for([modulus; 4]));
             assert_eq!(counts(&state), expected, "{modulus}");
         }
         state.set_cells(Side::Target, GridCells::new([7, 8]).unwrap());
-        state.fit_cells(Side::Target, 1.0);
+        state.fit_cells(Side::Target, [0.0; 4], None);
         assert_eq!((counts(&state), state.of(Side::Source).cells().unwrap().counts()), ([7, 8], CELLS));
     }
 
@@ -283,7 +299,7 @@ mod tests {
         state.accept(&csv, Finding::Progress(0.5), &none);
         assert_eq!(Side::BOTH.map(|side| state.saving(side)), [Some(0.5), Some(0.0)]);
         state.save(Side::Source, None);
-        assert_eq!(state.next(&none, 0.0), GridWork::Cancel);
+        assert!(state.give_up(&none));
         assert_eq!(state.next(&none, 0.0), GridWork::Begin(obj.clone()), "the other side's is still wanted");
         assert_eq!(state.accept(&obj, found(GridContent::File("v".into())), &none).unwrap().unwrap().bytes, b"v");
         assert_eq!((state.next(&none, 0.0), state.saving(Side::Target)), (GridWork::Nothing, None));
@@ -296,7 +312,7 @@ mod tests {
         let is_wait =
             |work: GridWork, seconds: f64| matches!(work, GridWork::Wait(left) if (left - seconds).abs() < 1e-9);
         assert!(matches!(rested(&mut state, &shown(Preset::Disk)), GridWork::Begin(_)));
-        assert_eq!(state.next(&shown(Preset::Square), 1.0), GridWork::Cancel);
+        assert!(state.give_up(&shown(Preset::Square)));
         assert!(is_wait(state.next(&shown(Preset::Square), 1.0), REST_SECONDS));
         assert!(is_wait(state.next(&shown(Preset::Square), 1.1), REST_SECONDS - 0.1));
         assert!(is_wait(state.next(&shown(Preset::Star), 1.2), REST_SECONDS), "another step");

@@ -7,7 +7,7 @@
 
 use super::thinning::levels;
 use super::{MAX_LENGTH, fragment, prepared};
-use crate::conformal::{PerSide, Side};
+use crate::conformal::{PerSide, Pins, Side};
 use crate::geometry::{DVec2, EdgeTree, SimplePolygon, sort_by_number};
 use crate::outline::{CurveForm, Interpretation};
 use crate::session::{Command, OutlineSpec, Session, SidePoints};
@@ -46,17 +46,30 @@ pub(super) fn shortened(session: &Session) -> PerSide<Option<Shortened>> {
     found
 }
 
-/// The session with its outlines shortened; the points stay where they are, the boundary points up to the deviation.
+/// The session with its outlines shortened; the points stay where they are, boundary points, pins and marks up to the
+/// deviation.
 pub(super) fn applied(session: &Session, shortened: &PerSide<Option<Shortened>>) -> Session {
-    let commands = Side::BOTH.into_iter().filter_map(|side| {
-        let shortened = shortened[side].as_ref()?;
+    let polygons = PerSide::from_fn(|side| session.domain(side).outline.polygon());
+    let carried = |side: Side, fraction: f64| {
+        shortened[side].as_ref().map_or(fraction, |shorter| shorter.anchor(polygons[side].vertices(), fraction))
+    };
+    let reshaped = |side: Side| {
+        let outline = shortened[side].as_ref()?.outline.clone();
         let points = session.side(side).outline_points();
         let interior = if let SidePoints::Outline { interior, .. } = points { interior } else { None };
-        let anchor = shortened.anchor(session.domain(side).outline.polygon().vertices(), points.anchor());
-        Some(Command::ReshapeOutline { side, outline: shortened.outline.clone(), interior, anchor })
+        Some(Command::ReshapeOutline { side, outline, interior, anchor: carried(side, points.anchor()) })
+    };
+    let marked = |side: Side| {
+        let marks = session.marks(side).map(|marks| marks.map(|mark| carried(side, mark)));
+        marks.map(|marks| Command::SetMarks { side, marks: Some(marks) })
+    };
+    let pins = session.pins().map(|pins| {
+        let pairs = pins.pairs().iter().map(|pair| PerSide::from_fn(|side| carried(side, pair[side])));
+        // two pins may fall together on a shorter outline: then the points determine the map
+        Command::SetPins(Pins::new(pairs).ok())
     });
-    let commands: Vec<Command> = commands.collect();
-    session.clone().and(commands)
+    let sides = Side::BOTH.into_iter().flat_map(|side| [reshaped(side), marked(side)].into_iter().flatten());
+    session.clone().and(sides.chain(pins).collect::<Vec<_>>())
 }
 
 fn fitting(outlines: &PerSide<OutlineSpec>) -> Option<PerSide<Option<Shortened>>> {
