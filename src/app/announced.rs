@@ -43,9 +43,9 @@ impl RiemapApp {
 
     /// Describes the screen to a screen reader whenever its state has changed and rests.
     pub(super) fn describe(&mut self, context: &egui::Context, now: f64) {
-        let rested = now - self.last_change;
+        // a drag is not described while it lasts; that of a mark changes no map
+        let rested = if self.input.handles.grip.is_some() { 0.0 } else { now - self.last_change };
         if rested < REST_SECONDS {
-            // a drag is not described while it lasts
             context.request_repaint_after_secs((REST_SECONDS - rested) as f32);
             return;
         }

@@ -132,19 +132,18 @@ impl RiemapApp {
         }
     }
 
-    /// Requests the grids that are asked for, and gives up the others; while a pointer button is down, marks and numbers of
-    /// cells may still change.
+    /// Gives up grids that are no more wanted, and requests those that are asked for; not while a pointer button is down,
+    /// since marks and numbers of cells may still change.
     fn begin_grids(&mut self, context: &egui::Context, is_held: bool, now: f64) {
+        if self.model.gives_up_grid() {
+            self.workers.grid_runner.cancel();
+        }
         if is_held {
             return;
         }
-        let mut work = self.model.next_grid_work(now);
-        if work == GridWork::Cancel {
-            self.workers.grid_runner.cancel();
-            work = self.model.next_grid_work(now);
-        }
+        let work = self.model.next_grid_work(now);
         match work {
-            GridWork::Nothing | GridWork::Cancel => {}
+            GridWork::Nothing => {}
             GridWork::Wait(seconds) => context.request_repaint_after_secs(seconds as f32),
             GridWork::Begin(task) => self.workers.grid_runner.begin(Study::Grid(Box::new(task))),
         }
@@ -237,11 +236,12 @@ impl RiemapApp {
         }
     }
 
-    /// Requests a frame while the map is incomplete: at once, or after the rest time if a point moves; and while it is
-    /// being refined.
+    /// Requests a frame while the map is incomplete: at once, or after the rest time if a point moves that follows from
+    /// nothing; and while it is being refined.
     fn await_map(&self, context: &egui::Context, moves: bool) {
         if self.model.is_pending() {
-            context.request_repaint_after_secs(if moves { REST_SECONDS as f32 } else { 0.0 });
+            let waits = moves && !self.model.is_searching_points();
+            context.request_repaint_after_secs(if waits { REST_SECONDS as f32 } else { 0.0 });
         } else if self.model.refines_in_refresh() {
             context.request_repaint();
         }

@@ -14,7 +14,7 @@ const OPENS_WITHIN = 3000;
 const RELEASED_WITHIN = 300;
 
 let opened = null;
-/** For each visit of this tab whether no other tab has it, asked or being asked; a visit that another tab has is not kept. */
+/** Visits that this tab holds, or is asking for, with the promise of the answer. */
 const held = new Map();
 
 /** The result of a request, as a promise. */

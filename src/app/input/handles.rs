@@ -19,7 +19,7 @@ pub const GRAB_RADIUS: f32 = 22.0;
 /// The duration of the pulse of a dragged dot's partner, in seconds.
 pub const PULSE_SECONDS: f64 = 0.7;
 
-/// The dots of a side: two, or its pins; and the marks of its quadrilateral.
+/// What is dragged on a side: its two dots, or its pins; and the squares of the marks of its quadrilateral.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HandleKind {
     /// The interior point x, green.
@@ -33,7 +33,7 @@ pub enum HandleKind {
 }
 
 impl HandleKind {
-    /// The color of the dots of this kind.
+    /// The color of the dots of this kind, and of a mark's pulse.
     pub fn colour(self) -> Color32 {
         match self {
             Self::Interior => INTERIOR_COLOUR,
