@@ -50,11 +50,15 @@ impl Arrangement {
         }
     }
 
-    /// Free space around the picture. In stacked pictures, legend and edit bar have a margin of their own at the
-    /// bottom. In pictures side by side, the edit bar has one only if the outline would reach into its area.
+    /// Free space around the picture. In stacked pictures, and around surfaces, legend and edit bar have a margin of
+    /// their own at the bottom. In pictures side by side, the edit bar has one only if the outline would reach into its
+    /// area.
     pub fn margins(self, app: &RiemapApp, ui: &Ui, side: Side, rect: Rect) -> Margins {
         let usual = if self.is_tight(rect) { PHONE_MARGINS } else { DESK_MARGINS };
         let above_legend = Margins { bottom: usual.bottom.max(self.legend_height(app, side, rect)), ..usual };
+        if app.model.surface(side).is_some() {
+            return Margins { top: usual.top + header::further_notes_height(side, &app.model), ..above_legend };
+        }
         let without_bar = if self.stacked { above_legend } else { usual };
         if app.editor.side() != Some(side) {
             return without_bar;

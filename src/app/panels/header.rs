@@ -46,6 +46,8 @@ pub fn has_room(ui: &Ui, width: f32) -> bool {
 /// The height of the row of title and buttons, and of the title in its middle, in points; notes are below.
 const TITLE_HEIGHT: f32 = 28.0;
 const TITLE_LINE: f32 = 18.0;
+/// The height of a note.
+const NOTE_LINE: f32 = 15.0;
 
 /// The least width of the title beside all buttons, and the limits of that beside the buttons of a narrow picture: the
 /// names of all presets are shown whole.
@@ -97,12 +99,23 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
     let title = ui.add(Label::new(RichText::new(name).font(theme::bold(14.0)).color(palette.text)).truncate());
     let Some(prepared) = model.prepared(side) else { return };
     title.on_hover_text(format!("{}\n\n{}", words::sizes([&**prepared]), words::details(prepared)));
-    let cautions = words::cautions(prepared, shape).map(Message::from);
-    for note in model.notes_on_shape(side).into_iter().chain(cautions) {
+    for note in notes(side, model) {
         let note = say(&note);
         let line = Label::new(RichText::new(&note).small().color(palette.weak)).truncate().sense(Sense::click());
         explain(&ui.add(line), &note);
     }
+}
+
+/// The notes below a side's title, a line each.
+fn notes(side: Side, model: &Model) -> impl Iterator<Item = Message> {
+    let cautions =
+        model.prepared(side).into_iter().flat_map(move |prepared| words::cautions(prepared, model.shape(side)));
+    model.notes_on_shape(side).into_iter().chain(cautions.map(Message::from))
+}
+
+/// The height of a side's notes below the first one, for which the margins of pictures have room.
+pub fn further_notes_height(side: Side, model: &Model) -> f32 {
+    NOTE_LINE * notes(side, model).skip(1).count() as f32
 }
 
 fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surroundings, actions: &mut Actions) {

@@ -55,7 +55,7 @@ impl Pictures {
         let view = &mut self.views[side];
         view.place(rect, pixels_per_point, margins, seen);
         if let Some(scene) = model.surface(side).and_then(|(surface, _)| surface.scene()) {
-            self.orbits[side].place(view.rect, pixels_per_point, scene);
+            self.orbits[side].place(view.rect, pixels_per_point, margins, scene);
         }
     }
 
