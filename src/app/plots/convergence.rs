@@ -1,12 +1,12 @@
 //! Figure 15: the errors of both methods over the number of samples, with both axes logarithmic.
 
 use super::super::theme::Palette;
-use super::chart::power_of_ten;
+use super::chart::{power_of_ten, stroked};
 use super::legend::{Entry, RADIUS, WIDTH, error_axis, with_legend};
 use crate::figures::{ConvergenceRow, Method, SecondMap, fitted_order};
 use crate::language::{self, key, number, say, tr};
 use egui::{Color32, RichText, Ui};
-use egui_plot::{AxisHints, GridInput, GridMark, Line, Points};
+use egui_plot::{AxisHints, GridInput, GridMark, Points};
 use std::collections::BTreeSet;
 
 /// The colors of maximum and mean error of the harmonic-measure map and of the geodesic algorithm: Okabe–Ito.
@@ -40,7 +40,7 @@ pub fn convergence_chart(ui: &mut Ui, rows: &[ConvergenceRow]) {
                 for (series, ink) in series.into_iter().zip(INKS) {
                     let points: Vec<[f64; 2]> =
                         series.points.iter().map(|&(m, e)| [f64::from(m).log2(), e.log10()]).collect();
-                    plot.line(Line::new(series.name.clone(), points.clone()).color(ink).width(WIDTH));
+                    plot.line(stroked(&series.name, points.clone(), ink, WIDTH));
                     plot.points(Points::new(series.name, points).color(ink).radius(RADIUS));
                 }
             });

@@ -3,14 +3,14 @@
 
 use super::super::theme::Palette;
 use super::super::theme::widgets::{Segment, segmented};
-use super::chart::power_of_ten;
+use super::chart::{power_of_ten, stroked};
 use super::legend::{Entry, RADIUS, WIDTH, error_axis, with_legend};
 use crate::app::input::action::{Action, Actions, LadderAxis, LadderShown};
 use crate::app::language::words::grouped;
 use crate::figures::{LadderMethod, LadderRow, LadderShape, Reference};
 use crate::language::{self, Label, key, number, say, tr};
 use egui::{Color32, ComboBox, RichText, Ui};
-use egui_plot::{AxisHints, GridInput, GridMark, Line, LineStyle, Points};
+use egui_plot::{AxisHints, GridInput, GridMark, LineStyle, Points};
 
 /// The colors of the methods: Okabe–Ito.
 const INKS: [Color32; 4] = [
@@ -58,7 +58,7 @@ pub fn ladder_chart(ui: &mut Ui, rows: &[LadderRow], shown: LadderShown, actions
             .custom_y_axes(vec![error_axis(tr(key::error())).formatter(|mark, _| power_of_ten(mark.value))])
             .show(ui, |plot| {
                 for ((name, points, style), ink) in curves {
-                    plot.line(Line::new(name.clone(), points.clone()).color(ink).style(style).width(WIDTH));
+                    plot.line(stroked(&name, points.clone(), ink, WIDTH).style(style));
                     plot.points(Points::new(name, points).color(ink).radius(RADIUS));
                 }
             });
