@@ -157,7 +157,7 @@ impl Reports {
                 heading(ui, key::accuracy_of_methods());
                 ladder_chart(ui, &self.ladder, self.shown, actions);
                 heading(ui, key::convergence_of_paper());
-                convergence_chart(ui, &self.convergence);
+                convergence_chart(ui, &self.convergence, &RESOLUTIONS);
             }
         });
         if close_button(ui).clicked() {
