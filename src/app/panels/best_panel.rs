@@ -1,6 +1,7 @@
 //! The best map: its criterion, the region that is painted, the search with its course, and the landscape.
 
 use crate::app::input::action::{Action, Actions};
+use crate::app::input::scrolling::has_changed;
 use crate::app::theme::Palette;
 use crate::app::theme::explained::explained_heading;
 use crate::app::theme::widgets::{Segment, caption_font, captioned_slider, segmented};
@@ -42,6 +43,8 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
 /// Search under way, result and error.
 fn search(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     let best = model.best();
+    let has_answer = best.outcome().is_some() || best.error().is_some();
+    let is_new = has_changed(ui, egui::Id::unique("answer of the search"), &has_answer) && has_answer;
     if let Some((done, course)) = best.progress() {
         ui.horizontal(|ui| {
             if ui.button(tr(key::cancel())).on_hover_text(tr(key::cancel_best_tooltip())).clicked() {
@@ -57,12 +60,17 @@ fn search(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     if button.clicked() {
         actions.push(Action::Best(BestAction::Start));
     }
-    if let Some(outcome) = best.outcome() {
-        ui.label(say(&said(outcome)));
-        paint_course(ui, &outcome.course);
-    }
-    if let Some(error) = best.error() {
-        ui.label(RichText::new(say(error)).color(ui.visuals().error_fg_color));
+    let answer = ui.scope(|ui| {
+        if let Some(outcome) = best.outcome() {
+            ui.label(say(&said(outcome)));
+            paint_course(ui, &outcome.course);
+        }
+        if let Some(error) = best.error() {
+            ui.label(RichText::new(say(error)).color(ui.visuals().error_fg_color));
+        }
+    });
+    if is_new {
+        answer.response.scroll_to_me(None);
     }
 }
 
