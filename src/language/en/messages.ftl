@@ -268,7 +268,7 @@ repair_dropped_vertices = { $count ->
 }
 surface_file_malformed = { $place }: { $fault }
 topology_components = the surface has { $count } components: keep the largest one (triangles: { $sizes })
-topology_loops = the surface has { $count } boundary loops where a disk has one: fill all but the longest. They are { $loops }
+topology_loops = the surface has { $count } boundary loops where a disk has one: fill all but the longest. These are the loops: { $loops }
 topology_flat_hole = { $count ->
     [one] a hole has no area, since its vertices lie in a line: join them ({ $hole })
    *[other] { $count } holes have no area, since their vertices lie in a line: join them (the first: { $hole })
