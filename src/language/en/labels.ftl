@@ -376,7 +376,7 @@ loop_in_list = { $number }: length { $length }, { $vertices } vertices
 loop_in_picture = Boundary loop { $number } of { $count }: click to make it the outline
 holes = Holes
 holes_filled = Filled
-holes_filled_tooltip = Paint what fills the other loops: with the pattern, and grey in the colours of distortion. Saved surfaces keep their holes
+holes_filled_tooltip = Paint what fills the other loops: with the pattern, and gray in the colors of distortion. Saved surfaces keep their holes
 holes_open = Open
 holes_open_tooltip = Leave the other loops open: their filling is in the map only, not in the picture. Saved surfaces keep their holes
 along_boundary = { $count } along the boundary
@@ -523,7 +523,7 @@ source_heading = Source
 target_heading = Target
 ground = Ground
 transparent = Transparent
-transparent_tooltip = Without the colour behind the map
+transparent_tooltip = Without the color behind the map
 corners = Corners
 hit_corners = Hit exactly
 hit_corners_tooltip = The surface’s boundary edges are divided where the outline’s corners lie, so that no corner stays empty. New vertices follow those of the file.
@@ -658,7 +658,7 @@ forward_tooltip = The source's mesh is mapped into the target
 backward_tooltip = The target's mesh is mapped into the source and looks its texture up there
 texture_tooltip = The pattern that the map carries
 angle_tooltip = Angle distortion Q = σ₁/σ₂ of every triangle: 1 where angles are kept
-area_tooltip = Area distortion log₂(σ₁σ₂) of every triangle, from source to target: +1 is twice the area, −1 half of it. The colours are about the mean
+area_tooltip = Area distortion log₂(σ₁σ₂) of every triangle, from source to target: +1 is twice the area, −1 half of it. The colors are about the mean
 checker_tooltip = Squares; angles of 90° stay angles of 90°
 lines = Lines
 polar_tooltip = Circles and rays about the interior point
@@ -726,7 +726,7 @@ explain_walks = Points that wander at random from x₁ until they meet the bound
 explain_interpretation = Whether straight edges or a smooth curve join the points of the outline, and which of the points are corners.
 explain_resolution = How many points the boundary gets, and how quickly the triangles grow towards the middle. More points are finer and slower.
 explain_surface = How finely the surface is divided. Intrinsic Delaunay triangles make its numbers reliable and leave its shape alone.
-explain_plots = Three curves along the boundary: how strongly each piece counts (Poisson kernel), the running sum of that (harmonic measure), and which place of the one boundary goes to which of the other (reparameterisation).
+explain_plots = Three curves along the boundary: how strongly each piece counts (Poisson kernel), the running sum of that (harmonic measure), and which place of the one boundary goes to which of the other (reparameterization).
 
 ## dots
 
@@ -814,8 +814,8 @@ surface_csv_tooltip = A table: x, y, z, u, v for each vertex
 surface_svg_tooltip = The edges of the layout in the outline
 animated_png = Animated PNG
 png_tooltip = The picture, of any size
-animated_png_tooltip = A turn of the points that goes on for ever, in all its colours
-gif_tooltip = A turn of the points that goes on for ever, in 256 colours
+animated_png_tooltip = A turn of the points that goes on for ever, in all its colors
+gif_tooltip = A turn of the points that goes on for ever, in 256 colors
 svg_tooltip = Outlines, the pattern's lines, the points, and the mesh where it is shown
 disks_svg_tooltip = Both surfaces as they lie in the unit disk, with the lines of the pattern, the points, and the meshes where they are shown
 csv_tooltip = A table of boundary points that are mapped to each other: arc lengths, places, harmonic measure
