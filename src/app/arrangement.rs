@@ -1,7 +1,7 @@
 //! How the two pictures divide their area, and the room in each for titles, messages, legend and edit bar.
 
 use super::{RiemapApp, editing};
-use crate::app::panels::header;
+use crate::app::panels::{header, sign_legend};
 use crate::app::viewport::legend;
 use crate::app::viewport::view::{DESK_MARGINS, Margins, PHONE_MARGINS, free_below};
 use crate::conformal::{PerSide, Side};
@@ -71,7 +71,7 @@ impl Arrangement {
 
     /// The area whose lower edge carries the edit bar: above the legends of colors and dots.
     pub fn edit_area(self, app: &RiemapApp, side: Side, rect: Rect) -> Rect {
-        let words = if self.is_tight(rect) { 0.0 } else { header::LEGEND_HEIGHT };
+        let words = if self.is_tight(rect) { 0.0 } else { sign_legend::LEGEND_HEIGHT };
         rect.with_max_y(rect.bottom() - self.legend_height(app, side, rect).max(words))
     }
 
@@ -88,7 +88,10 @@ impl Arrangement {
 
     /// The height of the legend of the colors at the lower edge of a picture; 0 without a legend.
     fn legend_height(self, app: &RiemapApp, side: Side, rect: Rect) -> f32 {
-        let is_there = side == legend_side(&app.model) && app.pictures.cells.scale().is_some();
-        if is_there { legend::height(rect, self.is_tight(rect)) } else { 0.0 }
+        let colors_triangles = side == legend_side(&app.model) && app.pictures.cells.scale().is_some();
+        let has_outline = app.model.abilities().has_outline(Side::Source);
+        // while it is computed anew, the picture stays where it is
+        let colors_landscape = side == Side::Source && has_outline && app.model.best().asks_for_landscape();
+        if colors_triangles || colors_landscape { legend::height(rect, self.is_tight(rect)) } else { 0.0 }
     }
 }

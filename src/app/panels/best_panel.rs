@@ -80,6 +80,16 @@ fn why_not(best: &BestMap) -> Label {
     }
 }
 
+/// What a criterion measures.
+pub fn criterion(aim: Aim) -> Label {
+    match aim {
+        Aim::Area => key::value_area(),
+        Aim::Scale => key::value_scale(),
+        Aim::Region => key::value_region(),
+        Aim::Symmetry => key::value_symmetry(),
+    }
+}
+
 /// A result in words.
 pub fn said(outcome: &Outcome) -> Message {
     let [before, after] = [outcome.before, outcome.after].map(|value| number(value, 4));

@@ -1,25 +1,21 @@
-//! The overlay of a viewport: title, buttons and messages at the upper edge, legend of dots at the lower one.
+//! The overlay of a viewport at its upper edge: title, notes, buttons and messages.
 
 use crate::app::input::action::{Action, Actions, EditAction};
-use crate::app::input::handles::{Handle, HandleKind};
 use crate::app::input::locks::{Control, Locks, REFUSAL, guarded};
 use crate::app::language::words;
 use crate::app::panels::{shapes, sketch};
 use crate::app::theme::explained::explain;
 use crate::app::theme::text_metrics::{button_width, text_width};
 use crate::app::theme::widgets::{MessageAnswer, drop_down_width, message_box};
-use crate::app::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette, widgets};
-use crate::app::viewport::dots;
-use crate::app::viewport::view::View;
-use crate::app::{overlays, theme};
+use crate::app::theme::{self, Palette, widgets};
 use crate::conformal::Side;
 use crate::language::{Label as Words, Message, key, say, tr};
 use crate::model::Model;
 use crate::model::side::user_error::{QuickFix, UserError};
 use crate::session::Command;
 use egui::{
-    Align, Color32, CornerRadius, Label, Layout, Rect, RichText, ScrollArea, Sense, Shape, Ui, UiBuilder, WidgetInfo,
-    vec2,
+    Align, CornerRadius, Galley, Id, Label, Layout, Rect, RichText, ScrollArea, Sense, Shape, Ui, UiBuilder,
+    WidgetInfo, vec2,
 };
 
 /// The tooltip of the button that hides and shows the panels.
@@ -222,101 +218,8 @@ pub fn messages(ui: &mut Ui, side: Side, model: &Model, room: Rect, actions: &mu
     });
 }
 
-/// The height of one row of the legend above a picture's lower edge.
-pub const LEGEND_HEIGHT: f32 = 32.0;
-
-/// Shows the legend of the dots and, where they do not fit beside these, that of the overlays' ticks in rows above;
-/// `beside` is the width at the right that other content takes.
-pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View, beside: f32) {
-    let low = view.rect.bottom();
-    let place = view.rect.with_min_y(low - LEGEND_HEIGHT + 2.0).with_max_y(low - 8.0).shrink2(vec2(14.0, 0.0));
-    let dots = dot_entries(ui, side, model, place.width());
-    let dashes = overlays::paint::legend(side, model, ui.visuals().dark_mode);
-    let dashes: Vec<Entry> = dashes.into_iter().map(|(colour, text)| (colour, text, None)).collect();
-    let all: f32 = dots.iter().chain(&dashes).map(|(_, text, _)| entry_width(ui, text)).sum();
-    let (first, above) = if all <= place.width() - beside { (dashes, Vec::new()) } else { (Vec::new(), dashes) };
-    row(ui, place, |ui| {
-        entries(ui, &dots, widgets::dot);
-        entries(ui, &first, widgets::dash);
-    });
-    let mut place = place;
-    for line in lines(ui, &above, place.width()).into_iter().rev() {
-        place = place.translate(vec2(0.0, -place.height()));
-        row(ui, place, |ui| entries(ui, line, widgets::dash));
-    }
-}
-
-/// Divides entries into rows that fit into `room`; one that does not fit has a row of its own.
-fn lines<'a>(ui: &Ui, mut entries: &'a [Entry], room: f32) -> Vec<&'a [Entry]> {
-    let mut rows = Vec::new();
-    while !entries.is_empty() {
-        let mut width = 0.0;
-        let fits = |(_, text, _): &&Entry| {
-            width += entry_width(ui, text);
-            width <= room
-        };
-        let (row, rest) = entries.split_at(entries.iter().take_while(fits).count().max(1));
-        rows.push(row);
-        entries = rest;
-    }
-    rows
-}
-
-/// One row of the legend.
-fn row(ui: &mut Ui, place: Rect, content: impl FnOnce(&mut Ui)) {
-    ui.scope_builder(UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center)), |ui| {
-        over_the_mesh(ui, content);
-    });
-}
-
-/// The entries of the dots; where their words do not fit into `room`, their symbols alone.
-fn dot_entries(ui: &Ui, side: Side, model: &Model, room: f32) -> Vec<Entry> {
-    let explained = |kind| Some(dots::explanation(Handle { side, kind }));
-    if model.pins().is_some() {
-        return vec![(BOUNDARY_COLOUR, tr(key::pins_in_legend()), explained(HandleKind::Pin(0)))];
-    }
-    let (words, symbols) = match side {
-        Side::Source => ([key::interior_point_x1(), key::boundary_point_y1()], ["x₁", "y₁"]),
-        Side::Target => ([key::x2_f_x1(), key::y2_f_y1()], ["x₂", "y₂"]),
-    };
-    let words = words.map(tr);
-    let fit = words.iter().map(|text| entry_width(ui, text)).sum::<f32>() <= room;
-    let [interior, boundary] = if fit { words } else { symbols };
-    vec![
-        (INTERIOR_COLOUR, interior, explained(HandleKind::Interior)),
-        (BOUNDARY_COLOUR, boundary, explained(HandleKind::Boundary)),
-    ]
-}
-
-/// Free space after an entry, in addition to the usual spacing.
-const ENTRY_GAP: f32 = 2.0;
-
-/// The width of an entry in a row, with the space around it.
-fn entry_width(ui: &Ui, text: &str) -> f32 {
-    widgets::SIGN_WIDTH
-        + text_width(ui, text, widgets::caption_font(ui))
-        + ENTRY_GAP
-        + 2.0 * ui.spacing().item_spacing.x
-}
-
-/// The color and the words of a legend's entry, and its explanation.
-type Entry = (Color32, &'static str, Option<Words>);
-
-fn entries(ui: &mut Ui, entries: &[Entry], sign: impl Fn(&mut Ui, Color32)) {
-    let weak = Palette::of(ui.visuals()).weak;
-    for (colour, text, explanation) in entries {
-        sign(ui, *colour);
-        let label = Label::new(RichText::new(*text).small().color(weak));
-        match explanation {
-            Some(words) => explain(&ui.add(label.sense(Sense::click())), tr(*words)),
-            None => drop(ui.add(label)),
-        }
-        ui.add_space(ENTRY_GAP);
-    }
-}
-
 /// Shows content on a translucent background, so that it stays readable over a mesh.
-fn over_the_mesh(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
+pub fn over_the_mesh(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
     let ground = ui.painter().add(Shape::Noop);
     let rect = ui.scope(content).response.rect;
     let colour = Palette::of(ui.visuals()).canvas.gamma_multiply(0.82);

@@ -9,7 +9,7 @@
 //! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `symmetry_panel`, `invariants_panel`, `quadrilateral_panel` |
 //! | the welcome of the first visit | `welcome` |
 //! | the hyperbolic tiling; the placement of the texture's picture | `tiling_panel`, `picture_panel` |
-//! | title, buttons, messages and legend of a picture | `header` |
+//! | title, buttons and messages of a picture; the legend of its signs | `header`, `sign_legend` |
 //! | the menu of outlines and surfaces | `shapes` |
 //! | the offers to trace a picture and to map a region | `offer` |
 
@@ -28,6 +28,7 @@ pub mod play_panel;
 pub mod quadrilateral_panel;
 pub mod shapes;
 pub mod side_panel;
+pub mod sign_legend;
 mod sketch;
 pub mod surface_panel;
 pub mod symmetry_panel;
