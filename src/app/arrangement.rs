@@ -55,9 +55,10 @@ impl Arrangement {
     /// area.
     pub fn margins(self, app: &RiemapApp, ui: &Ui, side: Side, rect: Rect) -> Margins {
         let usual = if self.is_tight(rect) { PHONE_MARGINS } else { DESK_MARGINS };
+        let usual = Margins { top: usual.top.max(header::height_with_notes(ui, side, &app.model, rect)), ..usual };
         let above_legend = Margins { bottom: usual.bottom.max(self.legend_height(app, side, rect)), ..usual };
         if app.model.surface(side).is_some() {
-            return Margins { top: usual.top + header::further_notes_height(side, &app.model), ..above_legend };
+            return above_legend;
         }
         let without_bar = if self.stacked { above_legend } else { usual };
         if app.editor.side() != Some(side) {

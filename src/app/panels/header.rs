@@ -13,10 +13,12 @@ use crate::language::{Label as Words, Message, key, say, tr};
 use crate::model::Model;
 use crate::model::side::user_error::{QuickFix, UserError};
 use crate::session::Command;
+use egui::text::LayoutJob;
 use egui::{
     Align, CornerRadius, Galley, Id, Label, Layout, Rect, RichText, ScrollArea, Sense, Shape, Ui, UiBuilder,
     WidgetInfo, vec2,
 };
+use std::sync::Arc;
 
 /// The tooltip of the button that hides and shows the panels.
 pub const PANELS_TOOLTIP: Words = key::panels_tooltip();
@@ -42,8 +44,10 @@ pub fn has_room(ui: &Ui, width: f32) -> bool {
 /// The height of the row of title and buttons, and of the title in its middle, in points; notes are below.
 const TITLE_HEIGHT: f32 = 28.0;
 const TITLE_LINE: f32 = 18.0;
-/// The height of a note.
-const NOTE_LINE: f32 = 15.0;
+/// The most lines of a note.
+const NOTE_LINES: usize = 3;
+/// Free space above and below the notes together, in points.
+const AROUND_NOTES: f32 = 12.0;
 
 /// The least width of the title beside all buttons, and the limits of that beside the buttons of a narrow picture: the
 /// names of all presets are shown whole.
@@ -82,6 +86,7 @@ pub fn show(
                 over_the_mesh(ui, |ui| title(ui, side, model));
             });
         });
+        show_notes(ui, side, model);
     });
     shown.response.rect.bottom()
 }
@@ -91,15 +96,45 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
     let shape = model.shape(side);
     let whole = words::title(side, shape);
     let fits = text_width(ui, &whole, theme::bold(14.0)) <= ui.available_width();
-    let name = if fits { whole } else { words::shape(shape).into_owned() };
+    let name = if both_fit(ui, side, fits) { whole } else { words::shape(shape).into_owned() };
     let title = ui.add(Label::new(RichText::new(name).font(theme::bold(14.0)).color(palette.text)).truncate());
     let Some(prepared) = model.prepared(side) else { return };
     title.on_hover_text(format!("{}\n\n{}", words::sizes([&**prepared]), words::details(prepared)));
-    for note in notes(side, model) {
-        let note = say(&note);
-        let line = Label::new(RichText::new(&note).small().color(palette.weak)).truncate().sense(Sense::click());
-        explain(&ui.add(line), &note);
+}
+
+/// Whether the whole titles of both sides fit, so that they are worded alike; `fits` is that of this side, the other one's
+/// is of the last time that it was shown.
+fn both_fit(ui: &Ui, side: Side, fits: bool) -> bool {
+    let id = |side: Side| Id::unique(("whole title fits", side));
+    let [before, other]: [Option<bool>; 2] = [side, side.other()].map(|side| ui.data(|data| data.get_temp(id(side))));
+    if before != Some(fits) {
+        ui.data_mut(|data| data.insert_temp(id(side), fits));
+        ui.request_repaint();
     }
+    fits && other != Some(false)
+}
+
+/// The notes below the title and the buttons, over the whole width of the picture.
+fn show_notes(ui: &mut Ui, side: Side, model: &Model) {
+    let notes: Vec<String> = notes(side, model).map(|note| say(&note)).collect();
+    if notes.is_empty() {
+        return;
+    }
+    ui.spacing_mut().item_spacing.y = 0.0;
+    over_the_mesh(ui, |ui| {
+        for note in notes {
+            let galley = note_galley(ui, &note, ui.available_width());
+            explain(&ui.add(Label::new(galley).sense(Sense::click())), &note);
+        }
+    });
+}
+
+/// The first lines of a note; all of it is in its popup.
+fn note_galley(ui: &Ui, note: &str, width: f32) -> Arc<Galley> {
+    let ink = Palette::of(ui.visuals()).weak;
+    let mut job = LayoutJob::simple(note.to_owned(), widgets::caption_font(ui), ink, width);
+    job.wrap.max_rows = NOTE_LINES;
+    ui.painter().layout_job(job)
 }
 
 /// The notes below a side's title, a line each.
@@ -109,9 +144,13 @@ fn notes(side: Side, model: &Model) -> impl Iterator<Item = Message> {
     model.notes_on_shape(side).into_iter().chain(cautions.map(Message::from))
 }
 
-/// The height of a side's notes below the first one, for which the margins of pictures have room.
-pub fn further_notes_height(side: Side, model: &Model) -> f32 {
-    NOTE_LINE * notes(side, model).skip(1).count() as f32
+/// The height of title, buttons and notes from the upper edge of a picture on; 0 without notes, as the margins of pictures
+/// have room for the others.
+pub fn height_with_notes(ui: &Ui, side: Side, model: &Model, picture: Rect) -> f32 {
+    let width = picture.width() - 2.0 * INSET[0];
+    let notes: f32 = notes(side, model).map(|note| note_galley(ui, &say(&note), width).size().y).sum();
+    let above = INSET[1] + theme::control_height(ui, TITLE_HEIGHT) + AROUND_NOTES;
+    if notes > 0.0 { above + notes } else { 0.0 }
 }
 
 fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surroundings, actions: &mut Actions) {
