@@ -1,7 +1,7 @@
 //! How the two pictures divide their area, and the room in each for titles, messages, legend and edit bar.
 
 use super::{RiemapApp, editing};
-use crate::app::panels::header;
+use crate::app::panels::{header, sign_legend};
 use crate::app::viewport::legend;
 use crate::app::viewport::view::{DESK_MARGINS, Margins, PHONE_MARGINS, free_below};
 use crate::conformal::{PerSide, Side};
@@ -50,11 +50,16 @@ impl Arrangement {
         }
     }
 
-    /// Free space around the picture. In stacked pictures, legend and edit bar have a margin of their own at the
-    /// bottom. In pictures side by side, the edit bar has one only if the outline would reach into its area.
+    /// Free space around the picture. In stacked pictures, and around surfaces, legend and edit bar have a margin of
+    /// their own at the bottom. In pictures side by side, the edit bar has one only if the outline would reach into its
+    /// area.
     pub fn margins(self, app: &RiemapApp, ui: &Ui, side: Side, rect: Rect) -> Margins {
         let usual = if self.is_tight(rect) { PHONE_MARGINS } else { DESK_MARGINS };
+        let usual = Margins { top: usual.top.max(header::height_with_notes(ui, side, &app.model, rect)), ..usual };
         let above_legend = Margins { bottom: usual.bottom.max(self.legend_height(app, side, rect)), ..usual };
+        if app.model.surface(side).is_some() {
+            return above_legend;
+        }
         let without_bar = if self.stacked { above_legend } else { usual };
         if app.editor.side() != Some(side) {
             return without_bar;
@@ -67,7 +72,7 @@ impl Arrangement {
 
     /// The area whose lower edge carries the edit bar: above the legends of colors and dots.
     pub fn edit_area(self, app: &RiemapApp, side: Side, rect: Rect) -> Rect {
-        let words = if self.is_tight(rect) { 0.0 } else { header::LEGEND_HEIGHT };
+        let words = if self.is_tight(rect) { 0.0 } else { sign_legend::LEGEND_HEIGHT };
         rect.with_max_y(rect.bottom() - self.legend_height(app, side, rect).max(words))
     }
 
@@ -84,7 +89,10 @@ impl Arrangement {
 
     /// The height of the legend of the colors at the lower edge of a picture; 0 without a legend.
     fn legend_height(self, app: &RiemapApp, side: Side, rect: Rect) -> f32 {
-        let is_there = side == legend_side(&app.model) && app.pictures.cells.scale().is_some();
-        if is_there { legend::height(rect, self.is_tight(rect)) } else { 0.0 }
+        let colors_triangles = side == legend_side(&app.model) && app.pictures.cells.scale().is_some();
+        let has_outline = app.model.abilities().has_outline(Side::Source);
+        // while it is computed anew, the picture stays where it is
+        let colors_landscape = side == Side::Source && has_outline && app.model.best().asks_for_landscape();
+        if colors_triangles || colors_landscape { legend::height(rect, self.is_tight(rect)) } else { 0.0 }
     }
 }

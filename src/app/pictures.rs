@@ -7,11 +7,13 @@ use super::arrangement::{Arrangement, legend_side};
 use super::theme::Palette;
 use super::{RiemapApp, editing};
 use crate::app::input::action::Actions;
-use crate::app::panels::header;
 use crate::app::panels::header::Surroundings;
-use crate::app::viewport::{legend, planar, probe};
+use crate::app::panels::{best_panel, header, sign_legend};
+use crate::app::viewport::{best, legend, planar, probe};
 use crate::app::{message_bar, overlays};
 use crate::conformal::Side;
+use crate::language::tr;
+use crate::model::best::Landscapes;
 use crate::render::{Pace, TextureStyle};
 use egui::{Stroke, Ui, UiBuilder};
 
@@ -101,16 +103,22 @@ fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangemen
     let is_fitted = app.pictures.of(&app.model, side).is_fitted();
     let title = header::show(ui, side, &app.model, view.rect, is_fitted, around, actions);
     let scale = app.pictures.cells.scale().filter(|_| side == legend_side(&app.model));
-    let has_row = !tight || (view.rect.height() >= LEGEND_FROM && scale.is_none());
+    let relief = (side == Side::Source).then(|| app.model.best().landscape()).flatten();
+    let has_legend = scale.is_some() || relief.is_some();
+    let has_row = !tight || (view.rect.height() >= LEGEND_FROM && !has_legend);
     if has_row {
-        let beside = scale.map_or(0.0, |_| legend::width(view.rect, tight));
-        header::legend(ui, side, &app.model, view, beside);
+        let beside = if has_legend { legend::width(view.rect, tight) } else { 0.0 };
+        sign_legend::show(ui, side, &app.model, view, beside);
     }
     app.pictures.uv.paint(ui, side, &app.model, view);
     overlays::quadrilateral::paint(ui, side, &app.model, view);
     overlays::paint::show(ui, side, &app.model, view);
     if let Some(scale) = scale {
         legend::paint(ui, view.rect, scale, tight);
+    } else if let Some(values) = relief.and_then(Landscapes::quantiles) {
+        let title = tr(best_panel::criterion(app.model.best().aim()));
+        let values = values.map(best::significant);
+        legend::paint_ranks(ui, view.rect, title, best::LANDSCAPE_COLORS, &values, tight);
     }
     title
 }

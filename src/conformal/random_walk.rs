@@ -35,7 +35,7 @@ pub enum WalkError {
         y: f64,
     },
     /// The boundary is not a polygon.
-    #[error("a boundary of finite points is needed, at least 3 of them, no two neighbours equal")]
+    #[error("a boundary of finite points is needed, at least 3 of them, no two neighbors equal")]
     NoBoundary,
 }
 

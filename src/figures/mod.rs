@@ -222,7 +222,7 @@ impl Figure {
             Self::Crowding => &[
                 "x₁ = 0.96 + 0.8432i and y₁ = 1 + i as in Figure 3",
                 "the paper gives no x₂, y₂: the images of 0 and 1 under the blob's exact map",
-                "precomputed maps go through the centre −i of the V and the blob's pole of inaccessibility",
+                "precomputed maps go through the center −i of the V and the blob's pole of inaccessibility",
                 "of the paper's other algorithms the geodesic one (Zipper) is shown",
             ],
             Self::LShapes => &[

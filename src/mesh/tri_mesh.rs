@@ -135,7 +135,7 @@ pub enum BrokenInvariant {
     #[error("triangle {0} is not counter-clockwise")]
     Orientation(TriangleId),
     /// The neighbor relation is not mutual at an edge of this triangle.
-    #[error("triangle {0} and its neighbour do not share the edge that they claim to share")]
+    #[error("triangle {0} and its neighbor do not share the edge that they claim to share")]
     Neighbour(TriangleId),
     /// A boundary edge `k → k+1` is in no triangle, or another edge has no neighbour.
     #[error("the triangles' open edges are not the boundary in order, at vertex {0}")]

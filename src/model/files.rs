@@ -197,6 +197,6 @@ mod tests {
         assert!((outline.polygon().area() / 7200.0 - 1.0).abs() < 0.02, "{}", outline.polygon().area());
         let pixels = image::RgbaImage::from_pixel(30, 20, image::Rgba([1, 2, 3, 255]));
         let text = traced(&Picture { name: "blank.png".into(), pixels }).unwrap_err().text.english();
-        assert!(text.starts_with("blank.png: the whole picture has one colour"), "{text}");
+        assert!(text.starts_with("blank.png: the whole picture has one color"), "{text}");
     }
 }

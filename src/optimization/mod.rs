@@ -29,7 +29,7 @@ use crate::conformal::MapError;
 pub use criterion::Criterion;
 pub use landscape::Landscape;
 pub use region::{Dab, MOST_DABS, MOST_POLYGONS, Region};
-pub use search::{Found, Optimization};
+pub use search::{Found, Least, Optimization};
 pub use symmetry::SharedSymmetries;
 
 /// Why there is no best map.

@@ -98,6 +98,17 @@ struct Comparison {
     best: (f64, Moebius),
 }
 
+/// A value of a search that is less than those before it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Least {
+    /// How often the criterion was computed before.
+    pub evaluations: usize,
+    /// The value.
+    pub value: f64,
+    /// Whether it is that of a map itself, or else in closed form.
+    pub is_measured: bool,
+}
+
 /// A search under way.
 #[derive(Debug)]
 pub struct Optimization {
@@ -112,7 +123,7 @@ pub struct Optimization {
     staying: Option<Staying>,
     found: Option<Found>,
     evaluations: usize,
-    course: Vec<(usize, f64)>,
+    course: Vec<Least>,
     /// The least value since closed form or measurement began.
     least: f64,
 }
@@ -169,9 +180,9 @@ impl Optimization {
         self.evaluations
     }
 
-    /// The least value so far, each time that it fell: the number of evaluations and the value. In closed form until the
-    /// maps themselves are measured, where it may rise by the error of the closed form.
-    pub fn course(&self) -> &[(usize, f64)] {
+    /// The least value so far, each time that it fell: of the start's map, then in closed form, then of the maps themselves,
+    /// where it may rise by the error of the closed form.
+    pub fn course(&self) -> &[Least] {
         &self.course
     }
 
@@ -238,7 +249,7 @@ impl Optimization {
         let value = self.criterion.measure(&self.map).ok_or(OptimizeError::EmptyRegion)?;
         let objective = self.criterion.objective(value, &self.map);
         self.found = Some(Found { constraints: self.start, before: value, after: value, objective });
-        self.note(objective);
+        self.note(objective, true);
         Ok(Stage::Chart(None))
     }
 
@@ -258,7 +269,7 @@ impl Optimization {
     fn scan(&mut self, mut scan: Scan) -> Stage {
         if let Some(map) = scan.coming.pop_front() {
             let value = self.closed_form(&map);
-            self.note(value);
+            self.note(value, false);
             scan.tried.push((value, map));
             return Stage::Scan(scan);
         }
@@ -295,7 +306,7 @@ impl Optimization {
     fn advance_descents(&mut self, descents: &mut Descents, step: f64) -> bool {
         if let Some(map) = descents.now.question(MOST_DESCENT) {
             let value = self.closed_form(&map);
-            self.note(value);
+            self.note(value, false);
             descents.now.answer(value);
             return true;
         }
@@ -377,7 +388,7 @@ impl Optimization {
             Err(_) => f64::INFINITY,
         };
         let objective = if value.is_finite() { self.criterion.objective(value, &self.map) } else { value };
-        self.note(objective);
+        self.note(objective, true);
         self.evaluations += 1;
         if let Some(found) = self.found.as_mut().filter(|found| objective < found.objective) {
             (found.constraints, found.after, found.objective) = (*constraints, value, objective);
@@ -385,10 +396,10 @@ impl Optimization {
         Some(objective)
     }
 
-    fn note(&mut self, value: f64) {
+    fn note(&mut self, value: f64, is_measured: bool) {
         if value < self.least {
             self.least = value;
-            self.course.push((self.evaluations, value));
+            self.course.push(Least { evaluations: self.evaluations, value, is_measured });
         }
     }
 }

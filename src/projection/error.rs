@@ -82,7 +82,7 @@ pub enum ProjectionError {
     #[error("the boundary cannot be used: {0}")]
     Polygon(PolygonError),
     /// The computation was cancelled.
-    #[error("the computation was cancelled")]
+    #[error("the computation was canceled")]
     Cancelled,
     /// The region cannot be triangulated.
     #[error("the region cannot be triangulated: {0}")]

@@ -67,7 +67,7 @@ pub struct Fit {
 
 /// The fit was cancelled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("cancelled")]
+#[error("canceled")]
 pub struct Cancelled;
 
 impl Fit {

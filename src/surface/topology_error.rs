@@ -185,7 +185,7 @@ pub enum TopologyError {
         genus: usize,
     },
     /// More than one boundary loop.
-    #[error("the surface has {} boundary loops where a disk has one: fill all but the longest. They are {}", .loops.len(), Listed(.loops))]
+    #[error("the surface has {} boundary loops where a disk has one: fill all but the longest. These are the loops: {}", .loops.len(), Listed(.loops))]
     Loops {
         /// All loops, the longest first.
         loops: Vec<LoopReport>,

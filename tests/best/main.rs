@@ -145,7 +145,7 @@ fn in_pieces_the_result_is_the_same() {
     }
     assert_eq!((pieces.found(), pieces.evaluations()), (Some(&whole), count));
     assert!(steps > count / 2 && whole.after <= whole.before, "{steps} steps");
-    assert!(pieces.course().windows(2).all(|pair| pair[0].0 <= pair[1].0));
+    assert!(pieces.course().windows(2).all(|pair| pair[0].evaluations <= pair[1].evaluations));
 }
 
 /// Places of the V's tip round to the circle, where walks among triangles without area may not end. Walks that begin there

@@ -8,6 +8,7 @@
 //! | theme, language and zoom | `preferences`, `presentation` |
 //! | hit test and drag state of the four dots | `handles` |
 //! | keyboard focus, Tab and arrow keys | `keyboard`, `keyboard_navigation` |
+//! | scrolling to news, and back to what has moved | `scrolling` |
 //! | what catches a dragged dot | `snapping` |
 //! | canceled touches | `touches` |
 //! | whether gestures move the texture's picture | `picture_placing` |
@@ -21,6 +22,7 @@ pub mod locks;
 pub mod picture_placing;
 pub mod preferences;
 pub mod presentation;
+pub mod scrolling;
 pub mod snapping;
 pub mod touches;
 

@@ -16,7 +16,7 @@ use crate::mesh::Sizing;
 use crate::model::Model;
 use crate::outline::Sampling;
 use crate::session::{Command, GROWTH, SAMPLES};
-use egui::{Button, Role, Ui, WidgetInfo, vec2};
+use egui::{Button, Id, Role, Ui, UiBuilder, WidgetInfo, vec2};
 
 const DIRECTIONS: [Segment<Direction>; 2] = [
     Segment { value: Direction::Forward, label: key::forward(), tooltip: key::forward_tooltip() },
@@ -64,7 +64,8 @@ fn controls(ui: &mut Ui, model: &Model, actions: &mut Actions) {
         }
     }
     for side in Side::BOTH.into_iter().filter(|side| model.abilities().has_outline(*side)) {
-        ui.push_id(("invariants", side), |ui| {
+        // controls keep the keyboard focus where the groups above get more or fewer
+        ui.scope_builder(UiBuilder::new().scope_id(Id::unique(("invariants", side))), |ui| {
             guarded(ui, Control::Comparison, |ui| invariants_panel::show(ui, side, model, actions));
         });
     }

@@ -1,15 +1,17 @@
 //! The best map: its criterion, the region that is painted, the search with its course, and the landscape.
 
 use crate::app::input::action::{Action, Actions};
+use crate::app::input::scrolling::has_changed;
+use crate::app::panels::best_course;
 use crate::app::theme::Palette;
 use crate::app::theme::explained::explained_heading;
-use crate::app::theme::widgets::{Segment, caption_font, captioned_slider, segmented};
+use crate::app::theme::widgets::{Segment, captioned_slider, segmented};
 use crate::conformal::Side;
 use crate::language::{Label, Message, key, number, say, tr};
 use crate::model::Model;
 use crate::model::best::{Aim, BRUSHES, BestAction, BestMap, Outcome};
 use crate::session::Command;
-use egui::{Align2, Button, CornerRadius, ProgressBar, RichText, Sense, Stroke, Ui, pos2, vec2};
+use egui::{Button, CornerRadius, ProgressBar, RichText, Ui};
 
 const AIMS: [Segment<Aim>; 4] = [
     Segment { value: Aim::Area, label: key::aim_area(), tooltip: key::aim_area_tooltip() },
@@ -17,9 +19,6 @@ const AIMS: [Segment<Aim>; 4] = [
     Segment { value: Aim::Region, label: key::aim_region(), tooltip: key::aim_region_tooltip() },
     Segment { value: Aim::Symmetry, label: key::aim_symmetry(), tooltip: key::aim_symmetry_tooltip() },
 ];
-
-/// The height of the plot of a search's course, in points.
-const COURSE_HEIGHT: f32 = 64.0;
 
 /// Shows the group; nothing before the first map.
 pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
@@ -42,6 +41,8 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
 /// Search under way, result and error.
 fn search(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     let best = model.best();
+    let has_answer = best.outcome().is_some() || best.error().is_some();
+    let is_new = has_changed(ui, egui::Id::unique("answer of the search"), &has_answer) && has_answer;
     if let Some((done, course)) = best.progress() {
         ui.horizontal(|ui| {
             if ui.button(tr(key::cancel())).on_hover_text(tr(key::cancel_best_tooltip())).clicked() {
@@ -49,7 +50,7 @@ fn search(ui: &mut Ui, model: &Model, actions: &mut Actions) {
             }
             ui.add(ProgressBar::new(done as f32).desired_height(8.0).corner_radius(CornerRadius::same(4)));
         });
-        paint_course(ui, course);
+        best_course::show(ui, course);
         return;
     }
     let button = ui.add_enabled(model.can_search() && !best.is_moving(), Button::new(tr(key::find_best())));
@@ -57,12 +58,17 @@ fn search(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     if button.clicked() {
         actions.push(Action::Best(BestAction::Start));
     }
-    if let Some(outcome) = best.outcome() {
-        ui.label(say(&said(outcome)));
-        paint_course(ui, &outcome.course);
-    }
-    if let Some(error) = best.error() {
-        ui.label(RichText::new(say(error)).color(ui.visuals().error_fg_color));
+    let answer = ui.scope(|ui| {
+        if let Some(outcome) = best.outcome() {
+            ui.label(say(&said(outcome)));
+            best_course::show(ui, &outcome.course);
+        }
+        if let Some(error) = best.error() {
+            ui.label(RichText::new(say(error)).color(ui.visuals().error_fg_color));
+        }
+    });
+    if is_new {
+        answer.response.scroll_to_me(None);
     }
 }
 
@@ -71,6 +77,16 @@ fn why_not(best: &BestMap) -> Label {
         Aim::Region => key::region_is_empty(),
         Aim::Symmetry => key::symmetry_of_outlines(),
         Aim::Area | Aim::Scale => key::being_prepared(),
+    }
+}
+
+/// What a criterion measures.
+pub fn criterion(aim: Aim) -> Label {
+    match aim {
+        Aim::Area => key::value_area(),
+        Aim::Scale => key::value_scale(),
+        Aim::Region => key::value_region(),
+        Aim::Symmetry => key::value_symmetry(),
     }
 }
 
@@ -127,38 +143,5 @@ fn region(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     let clear = ui.add_enabled(has_region, Button::new(tr(key::clear_region())));
     if clear.on_hover_text(tr(key::clear_region_tooltip())).clicked() {
         actions.push(Action::Session(Command::SetRegion(Vec::new())));
-    }
-}
-
-/// The least value against the number of values, first by the formula, then of the map itself, with the first and the last
-/// value; both axes end at the data, the vertical one is logarithmic.
-fn paint_course(ui: &mut Ui, course: &[(usize, f64)]) {
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), COURSE_HEIGHT), Sense::hover());
-    response.on_hover_text(tr(key::course_tooltip()));
-    let palette = Palette::of(ui.visuals());
-    let painter = ui.painter_at(rect);
-    painter.rect_stroke(rect, CornerRadius::same(4), Stroke::new(1.0, palette.border), egui::StrokeKind::Inside);
-    let known: Vec<(usize, f64)> =
-        course.iter().copied().filter(|(_, value)| value.is_finite() && *value > 0.0).collect();
-    let (Some(&(last, reached)), Some(least), Some(most)) = (
-        known.last(),
-        known.iter().map(|point| point.1).reduce(f64::min),
-        known.iter().map(|point| point.1).reduce(f64::max),
-    ) else {
-        return;
-    };
-    let inner = rect.shrink2(vec2(6.0, 8.0));
-    let span = (most / least).ln().max(1e-3);
-    let place = |&(count, value): &(usize, f64)| {
-        let x = count as f32 / last.max(1) as f32;
-        pos2(inner.left() + x * inner.width(), inner.bottom() - ((value / least).ln() / span) as f32 * inner.height())
-    };
-    let steps = known.windows(2).flat_map(|pair| [place(&pair[0]), pos2(place(&pair[1]).x, place(&pair[0]).y)]);
-    let line = steps.chain(known.last().map(place)).collect();
-    painter.line(line, Stroke::new(1.5, palette.accent_soft));
-    let font = caption_font(ui);
-    let corners = [(Align2::RIGHT_TOP, inner.right_top(), most), (Align2::RIGHT_BOTTOM, inner.right_bottom(), reached)];
-    for (align, at, value) in corners {
-        painter.text(at, align, number(value, 3), font.clone(), palette.weak);
     }
 }

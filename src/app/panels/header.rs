@@ -1,26 +1,24 @@
-//! The overlay of a viewport: title, buttons and messages at the upper edge, legend of dots at the lower one.
+//! The overlay of a viewport at its upper edge: title, notes, buttons and messages.
 
 use crate::app::input::action::{Action, Actions, EditAction};
-use crate::app::input::handles::{Handle, HandleKind};
 use crate::app::input::locks::{Control, Locks, REFUSAL, guarded};
 use crate::app::language::words;
 use crate::app::panels::{shapes, sketch};
 use crate::app::theme::explained::explain;
 use crate::app::theme::text_metrics::{button_width, text_width};
 use crate::app::theme::widgets::{MessageAnswer, drop_down_width, message_box};
-use crate::app::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette, widgets};
-use crate::app::viewport::dots;
-use crate::app::viewport::view::View;
-use crate::app::{overlays, theme};
+use crate::app::theme::{self, Palette, widgets};
 use crate::conformal::Side;
 use crate::language::{Label as Words, Message, key, say, tr};
 use crate::model::Model;
 use crate::model::side::user_error::{QuickFix, UserError};
 use crate::session::Command;
+use egui::text::LayoutJob;
 use egui::{
-    Align, Color32, CornerRadius, Label, Layout, Rect, RichText, ScrollArea, Sense, Shape, Ui, UiBuilder, WidgetInfo,
-    vec2,
+    Align, CornerRadius, Galley, Id, Label, Layout, Rect, RichText, ScrollArea, Sense, Shape, Ui, UiBuilder,
+    WidgetInfo, vec2,
 };
+use std::sync::Arc;
 
 /// The tooltip of the button that hides and shows the panels.
 pub const PANELS_TOOLTIP: Words = key::panels_tooltip();
@@ -46,6 +44,10 @@ pub fn has_room(ui: &Ui, width: f32) -> bool {
 /// The height of the row of title and buttons, and of the title in its middle, in points; notes are below.
 const TITLE_HEIGHT: f32 = 28.0;
 const TITLE_LINE: f32 = 18.0;
+/// The most lines of a note.
+const NOTE_LINES: usize = 3;
+/// Free space above and below the notes together, in points.
+const AROUND_NOTES: f32 = 12.0;
 
 /// The least width of the title beside all buttons, and the limits of that beside the buttons of a narrow picture: the
 /// names of all presets are shown whole.
@@ -84,6 +86,7 @@ pub fn show(
                 over_the_mesh(ui, |ui| title(ui, side, model));
             });
         });
+        show_notes(ui, side, model);
     });
     shown.response.rect.bottom()
 }
@@ -93,16 +96,61 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
     let shape = model.shape(side);
     let whole = words::title(side, shape);
     let fits = text_width(ui, &whole, theme::bold(14.0)) <= ui.available_width();
-    let name = if fits { whole } else { words::shape(shape).into_owned() };
+    let name = if both_fit(ui, side, fits) { whole } else { words::shape(shape).into_owned() };
     let title = ui.add(Label::new(RichText::new(name).font(theme::bold(14.0)).color(palette.text)).truncate());
     let Some(prepared) = model.prepared(side) else { return };
     title.on_hover_text(format!("{}\n\n{}", words::sizes([&**prepared]), words::details(prepared)));
-    let cautions = words::cautions(prepared, shape).map(Message::from);
-    for note in model.notes_on_shape(side).into_iter().chain(cautions) {
-        let note = say(&note);
-        let line = Label::new(RichText::new(&note).small().color(palette.weak)).truncate().sense(Sense::click());
-        explain(&ui.add(line), &note);
+}
+
+/// Whether the whole titles of both sides fit, so that they are worded alike; `fits` is that of this side, the other one's
+/// is of the last time that it was shown.
+fn both_fit(ui: &Ui, side: Side, fits: bool) -> bool {
+    let id = |side: Side| Id::unique(("whole title fits", side));
+    let [before, other]: [Option<bool>; 2] = [side, side.other()].map(|side| ui.data(|data| data.get_temp(id(side))));
+    if before != Some(fits) {
+        ui.data_mut(|data| data.insert_temp(id(side), fits));
+        ui.request_repaint();
     }
+    fits && other != Some(false)
+}
+
+/// The notes below the title and the buttons, over the whole width of the picture.
+fn show_notes(ui: &mut Ui, side: Side, model: &Model) {
+    let notes: Vec<String> = notes(side, model).map(|note| say(&note)).collect();
+    if notes.is_empty() {
+        return;
+    }
+    ui.spacing_mut().item_spacing.y = 0.0;
+    over_the_mesh(ui, |ui| {
+        for note in notes {
+            let galley = note_galley(ui, &note, ui.available_width());
+            explain(&ui.add(Label::new(galley).sense(Sense::click())), &note);
+        }
+    });
+}
+
+/// The first lines of a note; all of it is in its popup.
+fn note_galley(ui: &Ui, note: &str, width: f32) -> Arc<Galley> {
+    let ink = Palette::of(ui.visuals()).weak;
+    let mut job = LayoutJob::simple(note.to_owned(), widgets::caption_font(ui), ink, width);
+    job.wrap.max_rows = NOTE_LINES;
+    ui.painter().layout_job(job)
+}
+
+/// The notes below a side's title, a line each.
+fn notes(side: Side, model: &Model) -> impl Iterator<Item = Message> {
+    let cautions =
+        model.prepared(side).into_iter().flat_map(move |prepared| words::cautions(prepared, model.shape(side)));
+    model.notes_on_shape(side).into_iter().chain(cautions.map(Message::from))
+}
+
+/// The height of title, buttons and notes from the upper edge of a picture on; 0 without notes, as the margins of pictures
+/// have room for the others.
+pub fn height_with_notes(ui: &Ui, side: Side, model: &Model, picture: Rect) -> f32 {
+    let width = picture.width() - 2.0 * INSET[0];
+    let notes: f32 = notes(side, model).map(|note| note_galley(ui, &say(&note), width).size().y).sum();
+    let above = INSET[1] + theme::control_height(ui, TITLE_HEIGHT) + AROUND_NOTES;
+    if notes > 0.0 { above + notes } else { 0.0 }
 }
 
 fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surroundings, actions: &mut Actions) {
@@ -209,101 +257,8 @@ pub fn messages(ui: &mut Ui, side: Side, model: &Model, room: Rect, actions: &mu
     });
 }
 
-/// The height of one row of the legend above a picture's lower edge.
-pub const LEGEND_HEIGHT: f32 = 32.0;
-
-/// Shows the legend of the dots and, where they do not fit beside these, that of the overlays' ticks in rows above;
-/// `beside` is the width at the right that other content takes.
-pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View, beside: f32) {
-    let low = view.rect.bottom();
-    let place = view.rect.with_min_y(low - LEGEND_HEIGHT + 2.0).with_max_y(low - 8.0).shrink2(vec2(14.0, 0.0));
-    let dots = dot_entries(ui, side, model, place.width());
-    let dashes = overlays::paint::legend(side, model, ui.visuals().dark_mode);
-    let dashes: Vec<Entry> = dashes.into_iter().map(|(colour, text)| (colour, text, None)).collect();
-    let all: f32 = dots.iter().chain(&dashes).map(|(_, text, _)| entry_width(ui, text)).sum();
-    let (first, above) = if all <= place.width() - beside { (dashes, Vec::new()) } else { (Vec::new(), dashes) };
-    row(ui, place, |ui| {
-        entries(ui, &dots, widgets::dot);
-        entries(ui, &first, widgets::dash);
-    });
-    let mut place = place;
-    for line in lines(ui, &above, place.width()).into_iter().rev() {
-        place = place.translate(vec2(0.0, -place.height()));
-        row(ui, place, |ui| entries(ui, line, widgets::dash));
-    }
-}
-
-/// Divides entries into rows that fit into `room`; one that does not fit has a row of its own.
-fn lines<'a>(ui: &Ui, mut entries: &'a [Entry], room: f32) -> Vec<&'a [Entry]> {
-    let mut rows = Vec::new();
-    while !entries.is_empty() {
-        let mut width = 0.0;
-        let fits = |(_, text, _): &&Entry| {
-            width += entry_width(ui, text);
-            width <= room
-        };
-        let (row, rest) = entries.split_at(entries.iter().take_while(fits).count().max(1));
-        rows.push(row);
-        entries = rest;
-    }
-    rows
-}
-
-/// One row of the legend.
-fn row(ui: &mut Ui, place: Rect, content: impl FnOnce(&mut Ui)) {
-    ui.scope_builder(UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center)), |ui| {
-        over_the_mesh(ui, content);
-    });
-}
-
-/// The entries of the dots; where their words do not fit into `room`, their symbols alone.
-fn dot_entries(ui: &Ui, side: Side, model: &Model, room: f32) -> Vec<Entry> {
-    let explained = |kind| Some(dots::explanation(Handle { side, kind }));
-    if model.pins().is_some() {
-        return vec![(BOUNDARY_COLOUR, tr(key::pins_in_legend()), explained(HandleKind::Pin(0)))];
-    }
-    let (words, symbols) = match side {
-        Side::Source => ([key::interior_point_x1(), key::boundary_point_y1()], ["x₁", "y₁"]),
-        Side::Target => ([key::x2_f_x1(), key::y2_f_y1()], ["x₂", "y₂"]),
-    };
-    let words = words.map(tr);
-    let fit = words.iter().map(|text| entry_width(ui, text)).sum::<f32>() <= room;
-    let [interior, boundary] = if fit { words } else { symbols };
-    vec![
-        (INTERIOR_COLOUR, interior, explained(HandleKind::Interior)),
-        (BOUNDARY_COLOUR, boundary, explained(HandleKind::Boundary)),
-    ]
-}
-
-/// Free space after an entry, in addition to the usual spacing.
-const ENTRY_GAP: f32 = 2.0;
-
-/// The width of an entry in a row, with the space around it.
-fn entry_width(ui: &Ui, text: &str) -> f32 {
-    widgets::SIGN_WIDTH
-        + text_width(ui, text, widgets::caption_font(ui))
-        + ENTRY_GAP
-        + 2.0 * ui.spacing().item_spacing.x
-}
-
-/// The color and the words of a legend's entry, and its explanation.
-type Entry = (Color32, &'static str, Option<Words>);
-
-fn entries(ui: &mut Ui, entries: &[Entry], sign: impl Fn(&mut Ui, Color32)) {
-    let weak = Palette::of(ui.visuals()).weak;
-    for (colour, text, explanation) in entries {
-        sign(ui, *colour);
-        let label = Label::new(RichText::new(*text).small().color(weak));
-        match explanation {
-            Some(words) => explain(&ui.add(label.sense(Sense::click())), tr(*words)),
-            None => drop(ui.add(label)),
-        }
-        ui.add_space(ENTRY_GAP);
-    }
-}
-
 /// Shows content on a translucent background, so that it stays readable over a mesh.
-fn over_the_mesh(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
+pub fn over_the_mesh(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
     let ground = ui.painter().add(Shape::Noop);
     let rect = ui.scope(content).response.rect;
     let colour = Palette::of(ui.visuals()).canvas.gamma_multiply(0.82);

@@ -2,6 +2,7 @@
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::{Control, guarded};
+use crate::app::input::scrolling::has_changed;
 use crate::app::theme::explained::explained_heading;
 use crate::app::theme::widgets::{Segment, segmented};
 use crate::app::theme::{ROW_HEIGHT, control_height};
@@ -10,7 +11,7 @@ use crate::language::{Value, key, say, tr};
 use crate::model::Model;
 use crate::model::boundary_loops::BoundaryLoop;
 use crate::session::{Command, Holes};
-use egui::{Button, ScrollArea, Ui, vec2};
+use egui::{Button, Id, ScrollArea, Ui, vec2};
 
 const HOLES: [Segment<Holes>; 2] = [
     Segment { value: Holes::Filled, label: key::holes_filled(), tooltip: key::holes_filled_tooltip() },
@@ -37,7 +38,11 @@ fn choice(ui: &mut Ui, side: Side, model: &Model, loops: &[BoundaryLoop], action
         let length = Value::number(format!("{length:.4}"));
         let words = say(&key::loop_in_list(u32::from(*number) + 1, length, places.len()));
         let row = Button::selectable(*is_outline, words).min_size(vec2(ui.available_width(), control_height(ui, 0.0)));
-        if ui.add(row).on_hover_text(tr(key::choose_loop())).clicked() && !is_outline {
+        let row = ui.add(row).on_hover_text(tr(key::choose_loop()));
+        if *is_outline && has_changed(ui, Id::unique(("number of the outline", side)), number) {
+            row.scroll_to_me(None);
+        }
+        if row.clicked() && !is_outline {
             actions.extend(model.choose_outline(side, *number).map(Action::Session));
         }
     }

@@ -4,16 +4,17 @@
 //! |---|---|
 //! | the column of controls | `side_panel`, `surface_panel`, `play_panel` |
 //! | which map: by points or by pins | `pins_panel` |
-//! | the best map of the family | `best_panel` |
+//! | the best map of the family; the course of its search | `best_panel`, `best_course` |
 //! | the boundary loops of a surface | `loops_panel` |
 //! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `symmetry_panel`, `invariants_panel`, `quadrilateral_panel` |
 //! | the welcome of the first visit | `welcome` |
 //! | the hyperbolic tiling; the placement of the texture's picture | `tiling_panel`, `picture_panel` |
-//! | title, buttons, messages and legend of a picture | `header` |
+//! | title, buttons and messages of a picture; the legend of its signs | `header`, `sign_legend` |
 //! | the menu of outlines and surfaces | `shapes` |
 //! | the offers to trace a picture and to map a region | `offer` |
 
 mod advanced;
+mod best_course;
 pub mod best_panel;
 pub mod header;
 mod interpretation;
@@ -27,6 +28,7 @@ pub mod play_panel;
 pub mod quadrilateral_panel;
 pub mod shapes;
 pub mod side_panel;
+pub mod sign_legend;
 mod sketch;
 pub mod surface_panel;
 pub mod symmetry_panel;

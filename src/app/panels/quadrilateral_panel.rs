@@ -3,6 +3,7 @@
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::guarded_by;
+use crate::app::input::scrolling::keep_place;
 use crate::app::panels::pins_panel::missed;
 use crate::app::theme::explained::explained_heading;
 use crate::app::theme::number_field::{number_field, spoken};
@@ -32,16 +33,19 @@ fn small(ui: &mut Ui, text: &str, ink: Color32) {
     ui.label(RichText::new(text).small().color(ink));
 }
 
-/// The button that makes the rectangle the other side; once it is that, how well the fourth corner is met.
+/// The button that makes the rectangle the other side; once it is that, how well the fourth corner is met. With the
+/// keyboard focus it stays enabled, as it would else lose it.
 fn rectangle(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
     let onto = model.onto_rectangle(side);
     let is_there = model.pinned_rectangle(side).is_some();
     let size = vec2(ui.available_width(), control_height(ui, ROW_HEIGHT));
-    let is_enabled = matches!(onto, Some(Ok(_))) && !is_there;
-    let button = Button::new(tr(key::map_onto_rectangle())).min_size(size);
+    let has_focus = ui.memory(|memory| memory.has_focus(ui.next_auto_id()));
+    let is_enabled = matches!(onto, Some(Ok(_))) || is_there || has_focus;
+    let button = Button::selectable(is_there, tr(key::map_onto_rectangle())).frame_when_inactive(true).min_size(size);
     let button = ui.add_enabled(is_enabled, button).on_hover_text(tr(key::map_onto_rectangle_tooltip()));
-    if button.clicked() {
+    keep_place(ui, &button);
+    if button.clicked() && !is_there {
         actions.extend(onto.clone().and_then(Result::ok).map(Action::Session));
     }
     if let Some(Err(reason)) = onto {

@@ -171,21 +171,18 @@ impl<'a> Chart<'a> {
 
     fn add_lines(&self, plot: &mut PlotUi, columns: usize) {
         for curve in &self.exact {
-            let line = Line::new(curve.name.clone(), curve.points.clone()).color(self.exact_ink()).width(EXACT_WIDTH);
-            plot.line(line.allow_hover(false));
+            let points = decimate(&curve.points, columns);
+            plot.line(stroked(&curve.name, points, self.exact_ink(), EXACT_WIDTH).allow_hover(false));
         }
         for (curve, ink) in &self.lines {
-            let points: Vec<[f64; 2]> =
-                decimate(&curve.points, columns).into_iter().map(|[x, y]| [x, self.ordinate(y)]).collect();
-            plot.line(Line::new(curve.name.clone(), points).color(*ink).width(LINE_WIDTH).allow_hover(false));
+            let points = decimate(&curve.points, columns).into_iter().map(|[x, y]| [x, self.ordinate(y)]).collect();
+            plot.line(stroked(&curve.name, points, *ink, LINE_WIDTH).allow_hover(false));
         }
         for Overlay { origin, curve } in self.overlays {
             let ink = Plots::overlay_ink(*origin, self.dark);
             let points = decimate(&curve.points, columns);
             let style = if origin.is_dashed() { LineStyle::dashed_dense() } else { LineStyle::Solid };
-            plot.line(
-                Line::new(tr(origin.name()), points).color(ink).width(LINE_WIDTH).style(style).allow_hover(false),
-            );
+            plot.line(stroked(tr(origin.name()), points, ink, LINE_WIDTH).style(style).allow_hover(false));
         }
     }
 
@@ -279,6 +276,12 @@ fn in_inks(curves: &PerSide<Curve>, theme: usize) -> Vec<(&Curve, Color32)> {
 
 fn short(value: f64) -> String {
     if value == 0.0 || (0.01..1e4).contains(&value) { number(value, 2) } else { decimal(&format!("{value:.1e}")) }
+}
+
+/// A curve of even width. Where points are within a pixel of each other, `egui_plot` would else fill a band that has this
+/// width vertically, so that steep parts are thin.
+pub fn stroked(name: &str, points: Vec<[f64; 2]>, ink: Color32, width: f32) -> Line<'static> {
+    Line::new(name, points).color(ink).width(width).allow_band(false)
 }
 
 fn add_dot(plot: &mut PlotUi, at: [f64; 2], ink: Color32) {
@@ -409,6 +412,27 @@ mod tests {
         assert_eq!(names(PlotKind::Reparameterization, false), ["this map", fresh, precomputed]);
         assert_eq!(names(PlotKind::Measure, true), ["exact", "random walks", fresh, precomputed]);
         assert_eq!(names(PlotKind::Kernel, true), [""; 0], "kernels have no overlays");
+    }
+
+    /// Whether a curve through a thousand points, with a step, is painted as a stroke.
+    fn is_stroke(line: impl Fn(Vec<[f64; 2]>) -> Line<'static> + 'static) -> bool {
+        let step = |k: i32| [f64::from(k) / 1000.0, (f64::from(k - 500) / 20.0).tanh()];
+        let show = move |ui: &mut Ui| {
+            Plot::new("step").show(ui, |plot| plot.line(line((0..=1000).map(step).collect())));
+        };
+        let mut harness = egui_kittest::Harness::builder()
+            .with_size([300.0, 200.0])
+            .with_context_setup(crate::app::theme::install)
+            .build_ui(show);
+        harness.run();
+        let is_curve = |shape: &Shape| matches!(shape, Shape::Path(path) if path.points.len() > 200);
+        harness.output().shapes.iter().any(|clipped| is_curve(&clipped.shape))
+    }
+
+    #[test]
+    fn steep_curves_are_as_wide_as_flat_ones() {
+        assert!(is_stroke(|points| stroked("step", points, Color32::WHITE, LINE_WIDTH)));
+        assert!(!is_stroke(|points| Line::new("step", points)), "egui_plot's own is a band");
     }
 
     #[test]

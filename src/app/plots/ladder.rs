@@ -3,14 +3,14 @@
 
 use super::super::theme::Palette;
 use super::super::theme::widgets::{Segment, segmented};
-use super::chart::power_of_ten;
+use super::chart::{power_of_ten, stroked};
 use super::legend::{Entry, RADIUS, WIDTH, error_axis, with_legend};
 use crate::app::input::action::{Action, Actions, LadderAxis, LadderShown};
 use crate::app::language::words::grouped;
 use crate::figures::{LadderMethod, LadderRow, LadderShape, Reference};
 use crate::language::{self, Label, key, number, say, tr};
 use egui::{Color32, ComboBox, RichText, Ui};
-use egui_plot::{AxisHints, GridInput, GridMark, Line, LineStyle, Points};
+use egui_plot::{AxisHints, GridInput, GridMark, LineStyle, Plot, Points};
 
 /// The colors of the methods: Okabe–Ito.
 const INKS: [Color32; 4] = [
@@ -50,15 +50,17 @@ pub fn ladder_chart(ui: &mut Ui, rows: &[LadderRow], shown: LadderShown, actions
     };
     let entries: Vec<Entry> = curves.iter().map(entry).collect();
     let axis = AxisHints::new_x().label(tr(axis_label(shown.axis)).to_owned());
+    let ends = ends_of_axis(curves.iter().flat_map(|((_, points, _), _)| points).map(|point| point[0]));
     with_legend(ui, "ladder", &entries, |ui, plot| {
+        let plot = ends.into_iter().fold(plot, Plot::include_x);
         plot.grid_color(palette.border)
-            .x_grid_spacer(ones_twos_fives)
+            .x_grid_spacer(grid_lines)
             .y_grid_spacer(pairs)
             .custom_x_axes(vec![axis.formatter(|mark, _| size(10_f64.powf(mark.value)))])
             .custom_y_axes(vec![error_axis(tr(key::error())).formatter(|mark, _| power_of_ten(mark.value))])
             .show(ui, |plot| {
                 for ((name, points, style), ink) in curves {
-                    plot.line(Line::new(name.clone(), points.clone()).color(ink).style(style).width(WIDTH));
+                    plot.line(stroked(&name, points.clone(), ink, WIDTH).style(style));
                     plot.points(Points::new(name, points).color(ink).radius(RADIUS));
                 }
             });
@@ -123,16 +125,32 @@ fn curves(rows: &[&LadderRow], method: LadderMethod, axis: LadderAxis) -> Vec<Na
     curves.into_iter().filter(|curve| !curve.1.is_empty()).collect()
 }
 
-/// Grid lines at 1, 2 and 5 times the powers of ten: counts and times span two or three of these.
+/// The logarithms of 1, 2 and 5 times the powers of ten from a number to another one: counts and times span two or three
+/// powers.
+fn ones_twos_fives(low: f64, high: f64) -> impl DoubleEndedIterator<Item = f64> {
+    let powers = (low.floor() as i64..=high.floor() as i64).collect::<Vec<_>>().into_iter();
+    let all = powers.flat_map(|k| [1.0, 2.0, 5.0_f64].map(|n| k as f64 + n.log10()));
+    all.filter(move |value| (low..=high).contains(value))
+}
+
 #[allow(clippy::needless_pass_by_value, reason = "the plot hands it over")]
-fn ones_twos_fives(input: GridInput) -> Vec<GridMark> {
+fn grid_lines(input: GridInput) -> Vec<GridMark> {
     let (low, high) = input.bounds;
-    let all =
-        (low.floor() as i64..=high.floor() as i64).flat_map(|k| [1.0, 2.0, 5.0_f64].map(|n| k as f64 + n.log10()));
     // the smallest step decides whether labels have room
-    all.filter(|value| (low..=high).contains(value))
-        .map(|value| GridMark { value, step_size: 2.0_f64.log10() })
-        .collect()
+    ones_twos_fives(low, high).map(|value| GridMark { value, step_size: 2.0_f64.log10() }).collect()
+}
+
+/// The nearest grid lines below and above all of these values, so that an axis has two numbers also with one value;
+/// nothing without values.
+fn ends_of_axis(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let ends = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+    let (low, high) = ends;
+    if !(low.is_finite() && high.is_finite()) {
+        return Vec::new();
+    }
+    let below = ones_twos_fives(low - 1.0, low).rfind(|line| *line < low);
+    let above = ones_twos_fives(high, high + 1.0).find(|line| *line > high);
+    below.into_iter().chain(above).collect()
 }
 
 /// A count or a time at a grid line.
@@ -146,4 +164,20 @@ fn pairs(input: GridInput) -> Vec<GridMark> {
     let (low, high) = input.bounds;
     let inside = (low.ceil() as i64..=high.floor() as i64).filter(|k| k % 2 == 0);
     inside.map(|k| GridMark { value: k as f64, step_size: 2.0 }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_axis_has_two_numbers_also_with_one_value() {
+        for value in [1.0_f64, 3.0, 20.0, 700.0, 0.04] {
+            let ends = ends_of_axis([value.log10()].into_iter());
+            assert!(ends.len() == 2 && ends[0] < value.log10() && value.log10() < ends[1], "{value}: {ends:?}");
+            let seen = ones_twos_fives(ends[0], ends[1]).count();
+            assert!((2..=3).contains(&seen), "{value}: {seen} grid lines");
+        }
+        assert_eq!(ends_of_axis([].into_iter()), [0.0; 0]);
+    }
 }

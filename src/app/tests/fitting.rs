@@ -3,13 +3,14 @@
 use crate::app::input::action::{EditAction, ExploreAction, ExportAction, LessonAction, Report};
 use crate::app::input::preferences::Preferences;
 use crate::app::panels::offer::Offer;
-use crate::app::tests::ready_app;
+use crate::app::tests::{ready_app, step_until};
 use crate::app::viewport::legend;
 use crate::app::*;
 use crate::conformal::Side;
 use crate::language::{self, Label, Language, key, tr};
 use crate::model::side::user_error::UserError;
-use crate::session::{Colouring, OutlineSpec};
+use crate::session::{Colouring, Command, OutlineSpec, SurfaceShape, SurfaceSpec};
+use crate::surface::SurfacePreset;
 use crate::worker::Sketch;
 use egui::{Key, Rect, Role};
 use egui_kittest::Harness;
@@ -317,6 +318,32 @@ fn the_buttons_of_a_lesson_in_german_do_not_overlap_and_undo_and_redo_are_in_one
             let covered = all[..k].iter().find(|b| a.shrink(0.5).intersects(**b));
             assert!(covered.is_none(), "{size:?}: {a:?} over {covered:?}");
         }
+    }
+}
+
+#[test]
+fn a_fitted_surface_lies_below_its_title_and_above_the_legend() {
+    for size in [[720.0, 450.0], TABLET, PHONE, LYING_PHONE] {
+        let mut screen = screen(size, Language::English);
+        let shape = SurfaceShape::Preset { preset: SurfacePreset::AnimalHead, boundary: 60 };
+        let surface = SurfaceSpec { shape, ..SurfaceSpec::default() };
+        act(&mut screen, Action::Session(Command::SetSurface { side: Side::Target, surface }));
+        act(&mut screen, Action::Session(Command::SetColouring(Colouring::Area)));
+        let is_colored =
+            |app: &RiemapApp| app.model.surface(Side::Target).is_some() && app.pictures.cells.scale().is_some();
+        step_until(&mut screen, is_colored);
+        screen.run_steps(4);
+        let app = screen.state();
+        let orbit = &app.pictures.orbits[Side::Target];
+        let narrow = whole(&screen).width() < theme::PHONE_WIDTH;
+        let arrangement = arrangement::Arrangement { narrow, stacked: size[0] < size[1] };
+        let legend = orbit.rect.bottom() - legend::height(orbit.rect, arrangement.is_tight(orbit.rect));
+        let title = screen.get_by_label_contains("Animal head").rect();
+        let free = orbit.rect.with_min_y(title.bottom()).with_max_y(legend);
+        let (surface, _) = app.model.surface(Side::Target).unwrap();
+        let places = surface.surface().unwrap().mesh().vertices().iter().filter_map(|&p| orbit.to_screen(p));
+        let seen = Rect::from_points(&places.collect::<Vec<_>>());
+        assert!(free.contains_rect(seen) && seen.height() > 0.4 * free.height(), "{size:?}: {seen:?} in {free:?}");
     }
 }
 

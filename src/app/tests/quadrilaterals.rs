@@ -34,7 +34,9 @@ fn the_rectangle_is_one_click_and_one_step_to_undo_away() {
     harness.step();
     let before = harness.state().session().clone();
     let undo = harness.state().stats().screen.undo;
-    harness.get_by_label("Map onto its rectangle").click();
+    let button = harness.get_by_label("Map onto its rectangle");
+    button.focus();
+    button.click_accesskit();
     let is_met = |app: &RiemapApp| {
         let fourth = app.model.fourth_miss(Side::Source).filter(|_| app.model.is_ready());
         fourth.is_some_and(|fourth| fourth < 1e-6 && app.model.pins().is_some_and(|pins| pins.pairs().len() == 3))
@@ -42,6 +44,8 @@ fn the_rectangle_is_one_click_and_one_step_to_undo_away() {
     step_until(&mut harness, is_met);
     harness.step();
     harness.get_by_label_contains("mark 4 misses its own by ");
+    let button = harness.get_by_label("Map onto its rectangle");
+    assert!(button.accesskit_node().is_focused(), "the keyboard stays where it was");
     assert_eq!(harness.state().stats().screen.undo, undo + 1);
     let context = harness.ctx.clone();
     harness.state_mut().carry_out(&context, vec![Action::Undo]);

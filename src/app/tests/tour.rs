@@ -2,21 +2,31 @@
 
 use crate::app::RiemapApp;
 use crate::app::input::action::{Action, ExploreAction, ExportAction};
+use crate::app::input::preferences::Preferences;
 use crate::app::input::presentation;
 use crate::app::tests::{ready_app, step_until};
+use crate::app::windows::explore::tour::steps::steps;
 use crate::conformal::Side;
 use crate::family::Path;
-use crate::language::Message;
+use crate::language::{self, Language, Message, key, tr};
 use crate::model::motion::PlayAction;
 use crate::platform::Event;
 use crate::session::{Command, Session};
-use egui::Key;
+use egui::{Key, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 /// A desktop, a laptop, a tablet, a phone upright and on its side.
-const SCREENS: [[f32; 2]; 7] =
-    [[1440.0, 900.0], [1280.0, 720.0], [820.0, 1180.0], [390.0, 844.0], [390.0, 664.0], [375.0, 553.0], [844.0, 390.0]];
+const SCREENS: [[f32; 2]; 8] = [
+    [1440.0, 900.0],
+    [1280.0, 720.0],
+    [720.0, 450.0],
+    [820.0, 1180.0],
+    [390.0, 844.0],
+    [390.0, 664.0],
+    [375.0, 553.0],
+    [844.0, 390.0],
+];
 const STEPS: usize = 6;
 
 type Screen = Harness<'static, RiemapApp>;
@@ -71,6 +81,33 @@ fn pictures_have_three_fifths_of_the_height_in_every_step() {
         go(&mut screen, step);
         assert_room(&screen, &format!("presentation, step {step}"));
     }
+}
+
+/// A laptop's screen at 200 %, and a phone on its side.
+const LOW: [[f32; 2]; 2] = [[720.0, 450.0], [844.0, 390.0]];
+
+#[test]
+fn on_low_screens_the_words_of_every_step_fit_above_one_row_of_buttons() {
+    for language in [Language::English, Language::German] {
+        for size in LOW {
+            let mut screen = ready_app(size);
+            screen.state_mut().screen.preferences = Preferences { language: Some(language), ..Preferences::fixed() };
+            language::set(language);
+            for (step, shown) in steps().iter().enumerate() {
+                go(&mut screen, step);
+                let what = format!("{language:?}, {size:?}, step {step}");
+                let on = if step + 1 == STEPS { key::keep_picture() } else { key::next() };
+                let again = [key::show_again(), key::stop_here(), key::show_step()];
+                let again = again.into_iter().filter(|label| screen.query_by_label(tr(*label)).is_some());
+                let labels = [key::back(), on, key::end()].into_iter().chain(again);
+                let row: Vec<Rect> = labels.map(|label| screen.get_by_label(tr(label)).rect()).collect();
+                assert!(row.iter().all(|rect| (rect.center().y - row[0].center().y).abs() < 2.0), "{what}: {row:?}");
+                let words = screen.get_by_label(tr(shown.text)).rect();
+                assert!(words.bottom() <= row[0].top(), "{what}: {words:?} above {row:?}");
+            }
+        }
+    }
+    language::set(Language::English);
 }
 
 #[test]

@@ -16,6 +16,16 @@ pub enum Icon {
     Up,
     /// An arrow downwards.
     Down,
+    /// An arrow to the left.
+    Back,
+    /// An arrow that goes around in a circle.
+    Again,
+    /// A triangle to the right.
+    Play,
+    /// A square.
+    Stop,
+    /// A cross.
+    End,
 }
 
 /// The width of an icon's button for a mouse, in points.
@@ -48,8 +58,13 @@ fn lines(icon: Icon) -> Vec<Vec<Vec2>> {
         Icon::Undo => 1.0,
         Icon::Redo => -1.0,
         Icon::Share => return vec![vec![SHARED[1], SHARED[0], SHARED[2]]],
-        Icon::Up => return arrow(-1.0),
-        Icon::Down => return arrow(1.0),
+        Icon::Up => return arrow(vec2(0.0, -1.0)),
+        Icon::Down => return arrow(vec2(0.0, 1.0)),
+        Icon::Back => return arrow(vec2(-1.0, 0.0)),
+        Icon::Again => return circle_arrow(),
+        Icon::Play => return closed(&[vec2(-3.5, -5.0), vec2(5.0, 0.0), vec2(-3.5, 5.0)]),
+        Icon::Stop => return closed(&[vec2(-4.0, -4.0), vec2(4.0, -4.0), vec2(4.0, 4.0), vec2(-4.0, 4.0)]),
+        Icon::End => return [4.0, -4.0].map(|y| vec![vec2(-4.0, -y), vec2(4.0, y)]).into(),
     };
     let bow = (0..=8).map(|k| {
         let angle = std::f32::consts::PI * (k as f32 / 8.0 - 0.5);
@@ -62,8 +77,23 @@ fn lines(icon: Icon) -> Vec<Vec<Vec2>> {
         .into()
 }
 
-/// An arrow along the y axis.
-fn arrow(way: f32) -> Vec<Vec<Vec2>> {
-    let tip = vec2(0.0, 5.0 * way);
-    vec![vec![vec2(0.0, -5.0 * way), tip], vec![vec2(-3.5, 1.5 * way), tip, vec2(3.5, 1.5 * way)]]
+/// An arrow in this direction, which has unit length.
+fn arrow(way: Vec2) -> Vec<Vec<Vec2>> {
+    let wing = |side: f32| 1.5 * way + side * way.rot90();
+    vec![vec![-5.0 * way, 5.0 * way], vec![wing(-3.5), 5.0 * way, wing(3.5)]]
+}
+
+/// Most of a circle with an arrowhead at the end.
+fn circle_arrow() -> Vec<Vec<Vec2>> {
+    const END: i32 = 13;
+    let toward = |k: i32| Vec2::angled(std::f32::consts::TAU * (k as f32 / 16.0));
+    let end = 5.0 * toward(END);
+    // the arc goes on a quarter turn further: the wings go back, the one inside farther from the arc
+    let wings = [END + 9, END + 14].map(|k| end + 4.2 * toward(k));
+    vec![(1..=END).map(|k| 5.0 * toward(k)).collect(), vec![wings[0], end, wings[1]]]
+}
+
+/// A polygon.
+fn closed(corners: &[Vec2]) -> Vec<Vec<Vec2>> {
+    vec![corners.iter().chain(corners.first()).copied().collect()]
 }

@@ -182,6 +182,9 @@ fn style(palette: &Palette, visuals: Visuals) -> Style {
     style.spacing.icon_width_inner = 9.0;
     style.spacing.icon_spacing = 8.0;
     style.spacing.tooltip_width = 320.0;
+    // a bar tells that there is more than fits, also without a pointer over it
+    style.spacing.scroll.dormant_handle_opacity = 0.6;
+    style.spacing.scroll.floating_width = 4.0;
     style.interaction.tooltip_delay = 0.35;
     style.interaction.selectable_labels = false;
     style

@@ -1,6 +1,6 @@
 //! Fields of numbers, which are dragged or typed: the one place that knows how people write decimals.
 //!
-//! Shown with the decimal mark of the current language; typed with a point or a comma in every language, so that a
+//! Shown with the decimal mark of the current language and a minus sign; typed with a point or a comma in every language, so that a
 //! number pad and a number copied from elsewhere work, also with blanks and the unit. The value changes when the field is
 //! left, not with every key: half a number is no value. Escape, and text that is no finite number, leave it as it was; so
 //! does a text that was not changed, although it may show fewer decimals.
@@ -20,7 +20,7 @@ pub fn number_field<N: Numeric>(value: &mut N) -> NumberField<'_> {
     let field = DragValue::new(value)
         .update_while_editing(false)
         .custom_formatter(move |value, decimals| {
-            let text = decimal(&emath::format_with_decimals_in_range(value, decimals));
+            let text = decimal(&emath::format_with_decimals_in_range(value, decimals)).replacen('-', "−", 1);
             shown.borrow_mut().clone_from(&text);
             text
         })
@@ -172,6 +172,19 @@ mod tests {
             for (text, number) in [("0,5", 0.5), ("0.5", 0.5), ("−1,75", -1.75), ("3,5", 2.0), ("0,5,5", 1.25)] {
                 assert_eq!(shown_then_typed(language, text), (Some(shown.to_owned()), number), "{language:?} {text}");
             }
+        }
+    }
+
+    #[test]
+    fn negative_numbers_are_shown_with_a_minus_sign_and_taken_with_a_hyphen_too() {
+        for text in ["-0.5", "−0.5"] {
+            let mut harness = field_of(-1.25);
+            assert_eq!(harness.get_by_role(egui::accesskit::Role::SpinButton).value().as_deref(), Some("−1.25"));
+            click(&mut harness);
+            replace_text(&mut harness, text);
+            harness.key_press(egui::Key::Enter);
+            harness.run();
+            assert_eq!(*harness.state(), -0.5, "{text}");
         }
     }
 

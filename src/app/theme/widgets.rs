@@ -326,6 +326,12 @@ pub fn dot(ui: &mut Ui, colour: Color32) {
     ui.painter().circle_filled(rect.center(), 5.0, colour);
 }
 
+/// A filled square, as the sign of an area in a legend.
+pub fn patch(ui: &mut Ui, colour: Color32) {
+    let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
+    ui.painter().rect_filled(rect, 2, colour);
+}
+
 /// A short line, as the sign of a legend entry.
 pub fn dash(ui: &mut Ui, colour: Color32) {
     let (rect, _) = ui.allocate_exact_size(vec2(SIGN_WIDTH, 10.0), Sense::hover());

@@ -4,10 +4,11 @@
 //! there. Scrolling and two fingers move the picture as always, and dots stay above both.
 
 use crate::app::input::action::{Action, Actions};
-use crate::app::input::handles::HandleKind;
+use crate::app::input::handles::{GRAB_RADIUS, HandleKind};
 use crate::app::input::locks::{Control, Locks};
 use crate::app::theme::Palette;
-use crate::app::theme::widgets::caption_font;
+use crate::app::viewport::dots::paint_words_beside;
+use crate::app::viewport::planar;
 use crate::app::viewport::view::View;
 use crate::conformal::{MeshedDomain, Side};
 use crate::geometry::{DVec2, DVec3};
@@ -17,11 +18,13 @@ use crate::model::best::Aim;
 use crate::render::ColourMap;
 use crate::session::Command;
 use egui::epaint::{Mesh, Vertex, WHITE_UV};
-use egui::{Align2, Color32, CursorIcon, PointerButton, Pos2, Response, Shape, Stroke, Ui, Vec2};
+use egui::{Color32, CursorIcon, PointerButton, Pos2, Rect, Response, Shape, Stroke, Ui, Vec2};
 
 /// How much of the picture the landscape and the region let through.
 const LANDSCAPE_OPACITY: f32 = 0.82;
 const REGION_OPACITY: f32 = 0.45;
+/// The colors of a landscape's ranks: dark where the criterion is least.
+pub const LANDSCAPE_COLORS: ColourMap = ColourMap::Cividis;
 
 /// The distance between dabs of a stroke that a fast pointer leaves, in points.
 const STROKE_STEP: f32 = 4.0;
@@ -102,12 +105,12 @@ pub fn paint(ui: &Ui, side: Side, model: &Model, view: &View) {
 /// The parts of triangles in the region, in one color; `on_screen` places a triangle.
 pub fn paint_triangles(
     ui: &Ui,
-    rect: egui::Rect,
+    rect: Rect,
     model: &Model,
     count: usize,
     on_screen: impl Fn(usize) -> Option<[Pos2; 3]>,
 ) {
-    let color = Palette::of(ui.visuals()).accent.gamma_multiply(REGION_OPACITY);
+    let color = region_ink(ui);
     let mut mesh = Mesh::default();
     for part in model.best().painted(count) {
         let Some([a, b, c]) = on_screen(part.triangle) else { continue };
@@ -120,6 +123,16 @@ pub fn paint_triangles(
         mesh.indices.extend([first, first + 1, first + 2]);
     }
     ui.painter_at(rect).add(Shape::mesh(mesh));
+}
+
+/// The color of the region.
+pub fn region_ink(ui: &Ui) -> Color32 {
+    Palette::of(ui.visuals()).accent.gamma_multiply(REGION_OPACITY)
+}
+
+/// Whether a region is seen over the source.
+pub fn shows_region(model: &Model) -> bool {
+    model.best().aim() == Aim::Region && !model.session().region().is_empty()
 }
 
 /// The brush's circle under the pointer.
@@ -150,18 +163,27 @@ fn paint_landscape(ui: &Ui, model: &Model, view: &View) {
             painter.line_segment([at - egui::vec2(7.0, 0.0), at + egui::vec2(7.0, 0.0)], Stroke::new(width, ink));
             painter.line_segment([at - egui::vec2(0.0, 7.0), at + egui::vec2(0.0, 7.0)], Stroke::new(width, ink));
         }
-        let words = say(&key::lowest_of_landscape(number(value, 3)));
-        let galley = painter.layout_no_wrap(words, caption_font(ui), Color32::WHITE);
-        let text = Align2::CENTER_TOP.anchor_size(at + egui::vec2(0.0, 10.0), galley.size());
-        painter.rect_filled(text.expand(3.0), egui::CornerRadius::same(4), Color32::from_black_alpha(150));
-        painter.galley(text.min, galley, Color32::WHITE);
+        let words = say(&key::lowest_of_landscape(significant(value)));
+        paint_words_beside(ui, &painter, words, Rect::from_center_size(at, Vec2::splat(14.0)), &obstacles(model, view));
     }
+}
+
+/// The dots of the source, and where a dot that is held has its coordinates and one that waits has its hint.
+fn obstacles(model: &Model, view: &View) -> Vec<Pos2> {
+    let dots = planar::places(Side::Source, model, view).into_iter().map(|(_, place)| place);
+    dots.flat_map(|dot| [-2.0, 0.0, 2.0].map(|steps| dot + Vec2::new(0.0, steps * GRAB_RADIUS))).collect()
+}
+
+/// A value of a criterion in about three digits.
+pub fn significant(value: f64) -> String {
+    let digits = 2.0 - value.abs().max(f64::MIN_POSITIVE).log10().floor();
+    number(value, digits.clamp(0.0, 3.0) as usize)
 }
 
 /// The mesh with a color for each rank: dark where the criterion is least.
 fn colored(domain: &MeshedDomain, ranks: &[f32], view: &View) -> Mesh {
     let color = |rank: f32| {
-        let [r, g, b, _] = ColourMap::Cividis.at(f64::from(rank)).map(|part| (255.0 * part) as u8);
+        let [r, g, b, _] = LANDSCAPE_COLORS.at(f64::from(rank)).map(|part| (255.0 * part) as u8);
         Color32::from_rgb(r, g, b).gamma_multiply(LANDSCAPE_OPACITY)
     };
     let vertices = domain.mesh().vertices().iter().zip(ranks);

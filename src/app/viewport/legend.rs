@@ -1,9 +1,11 @@
-//! The legend of triangle colors: a color bar with ticks, the histogram above it, and a mark at the mean.
+//! The legend of triangle colors: a color bar with ticks, the histogram above it, and a mark at the mean. The legend of a
+//! landscape, whose colors are ranks, has the bar with three values.
 
 use crate::app::theme::text_metrics::text_width;
 use crate::app::theme::{Palette, bold};
 use crate::language::{key, say, tr};
 use crate::model::pattern::colouring::ColourScale;
+use crate::render::ColourMap;
 use egui::{Align2, Color32, CornerRadius, FontId, Mesh, Painter, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2};
 
 /// The size of the legend, in points.
@@ -29,6 +31,8 @@ const BAR: f32 = 9.0;
 /// The font size of title and mean, and the least space between them.
 const TITLE_TEXT: f32 = 11.5;
 const TITLE_GAP: f32 = 6.0;
+/// The font size of values at the bar.
+const TICK_TEXT: f32 = 10.5;
 /// The heights of the title above and the ticks below.
 const TITLE: f32 = 17.0;
 const TICKS: f32 = 15.0;
@@ -68,22 +72,42 @@ pub fn paint(ui: &Ui, area: Rect, scale: &ColourScale, narrow: bool) {
     let palette = Palette::of(ui.visuals());
     let size = size_in(area, narrow);
     let painter = ui.painter_at(area);
-    let whole = vec2(size.width, TITLE + size.histogram + BAR + TICKS);
-    let corner = area.right_bottom() - vec2(BESIDE, BELOW) - 2.0 * vec2(PADDING, 0.5 * PADDING) - whole;
-    let inner = Rect::from_min_size(corner + vec2(PADDING, 0.5 * PADDING), whole);
-    painter.rect_filled(
-        inner.expand2(vec2(PADDING, 0.5 * PADDING)),
-        CornerRadius::same(8),
-        palette.canvas.gamma_multiply(0.86),
-    );
+    let inner = ground(&painter, area, size, &palette);
     let bar = Rect::from_min_size(inner.min + vec2(0.0, TITLE + size.histogram), vec2(size.width, BAR));
     paint_title(ui, &painter, inner, scale, &palette);
     if size.histogram > 5.0 {
         paint_histogram(&painter, bar, size.histogram - 3.0, scale, &palette);
     }
-    paint_bar(&painter, bar, scale);
+    paint_bar(&painter, bar, scale.map);
     paint_ticks(&painter, bar, scale, &palette);
     paint_mean(&painter, bar, size.histogram, scale, &palette);
+}
+
+/// Paints the legend of a landscape into the lower right corner of `area`: the colors of ranks from 0 to 1, and the words
+/// of the values with the ranks 0, ½ and 1.
+pub fn paint_ranks(ui: &Ui, area: Rect, title: &str, map: ColourMap, values: &[String; 3], narrow: bool) {
+    let palette = Palette::of(ui.visuals());
+    let size = Size { histogram: 0.0, ..size_in(area, narrow) };
+    let painter = ui.painter_at(area);
+    let inner = ground(&painter, area, size, &palette);
+    let bar = Rect::from_min_size(inner.min + vec2(0.0, TITLE), vec2(size.width, BAR));
+    paint_words(ui, &painter, inner, title, inner.width(), &palette);
+    paint_bar(&painter, bar, map);
+    let places = [Align2::LEFT_TOP, Align2::CENTER_TOP, Align2::RIGHT_TOP].into_iter().zip([0.0, 0.5, 1.0]);
+    for ((align, part), text) in places.zip(values) {
+        let at = pos2(bar.left() + part * bar.width(), bar.bottom() + 3.0);
+        painter.text(at, align, text, FontId::proportional(TICK_TEXT), palette.weak);
+    }
+}
+
+/// Paints the background into the lower right corner of `area`; returns the content's place.
+fn ground(painter: &Painter, area: Rect, size: Size, palette: &Palette) -> Rect {
+    let whole = vec2(size.width, TITLE + size.histogram + BAR + TICKS);
+    let corner = area.right_bottom() - vec2(BESIDE, BELOW) - 2.0 * vec2(PADDING, 0.5 * PADDING) - whole;
+    let inner = Rect::from_min_size(corner + vec2(PADDING, 0.5 * PADDING), whole);
+    let outer = inner.expand2(vec2(PADDING, 0.5 * PADDING));
+    painter.rect_filled(outer, CornerRadius::same(8), palette.canvas.gamma_multiply(0.86));
+    inner
 }
 
 /// The mean at the right, and left of it the title: whole if it fits, else its first word, else its symbols.
@@ -95,7 +119,12 @@ fn paint_title(ui: &Ui, painter: &Painter, inner: Rect, scale: &ColourScale, pal
         room -= text_width(ui, &mean, font.clone()) + TITLE_GAP;
         painter.text(inner.right_top(), Align2::RIGHT_TOP, mean, font, palette.text);
     }
-    let (whole, font) = (tr(scale.title()), bold(TITLE_TEXT));
+    paint_words(ui, painter, inner, tr(scale.title()), room, palette);
+}
+
+/// A title that fits into `room`: whole, else its first word, else the rest.
+fn paint_words(ui: &Ui, painter: &Painter, inner: Rect, whole: &str, room: f32, palette: &Palette) {
+    let font = bold(TITLE_TEXT);
     let parts = whole.split_once(' ').map_or([whole; 2], |(name, symbols)| [name, symbols]);
     let title = [whole].into_iter().chain(parts).find(|title| text_width(ui, title, font.clone()) <= room);
     if let Some(title) = title {
@@ -116,12 +145,12 @@ fn paint_histogram(painter: &Painter, bar: Rect, height: f32, scale: &ColourScal
     }
 }
 
-fn paint_bar(painter: &Painter, bar: Rect, scale: &ColourScale) {
+fn paint_bar(painter: &Painter, bar: Rect, map: ColourMap) {
     const STEPS: u32 = 64;
     let mut mesh = Mesh::default();
     for k in 0..=STEPS {
         let t = k as f32 / STEPS as f32;
-        let [r, g, b, _] = scale.map.at(f64::from(t)).map(|component| (255.0 * component).round() as u8);
+        let [r, g, b, _] = map.at(f64::from(t)).map(|component| (255.0 * component).round() as u8);
         let x = bar.left() + t * bar.width();
         mesh.colored_vertex(pos2(x, bar.top()), Color32::from_rgb(r, g, b));
         mesh.colored_vertex(pos2(x, bar.bottom()), Color32::from_rgb(r, g, b));
@@ -148,7 +177,7 @@ fn paint_ticks(painter: &Painter, bar: Rect, scale: &ColourScale, palette: &Pale
             k if k == last => Align2::RIGHT_TOP,
             _ => Align2::CENTER_TOP,
         };
-        painter.text(pos2(x, bar.bottom() + 3.0), align, text, FontId::proportional(10.5), palette.weak);
+        painter.text(pos2(x, bar.bottom() + 3.0), align, text, FontId::proportional(TICK_TEXT), palette.weak);
     }
 }
 

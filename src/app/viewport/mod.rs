@@ -20,7 +20,7 @@
 //! | the texture coordinates of a layout | `uv` |
 //! | the legend of triangle colors | `legend` |
 
-mod best;
+pub mod best;
 pub mod cells;
 mod corners;
 pub mod dots;

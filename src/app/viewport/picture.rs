@@ -53,9 +53,9 @@ impl Pictures {
     pub fn place(&mut self, model: &Model, side: Side, rect: Rect, pixels_per_point: f32, margins: Margins) {
         let seen = self.uv.seen(model, side, model.extent(side));
         let view = &mut self.views[side];
-        view.place(rect, pixels_per_point, margins, seen);
+        view.place(rect, pixels_per_point, self.uv.margins(model, side, margins), seen);
         if let Some(scene) = model.surface(side).and_then(|(surface, _)| surface.scene()) {
-            self.orbits[side].place(view.rect, pixels_per_point, scene);
+            self.orbits[side].place(view.rect, pixels_per_point, margins, scene);
         }
     }
 

@@ -6,7 +6,7 @@
 
 use crate::app::theme::Palette;
 use crate::app::theme::widgets::caption_font;
-use crate::app::viewport::view::View;
+use crate::app::viewport::view::{Margins, View};
 use crate::conformal::Side;
 use crate::export::Placement;
 use crate::geometry::DVec2;
@@ -22,6 +22,8 @@ const LINES: u32 = 10;
 const BETWEEN_NUMBERS: f32 = 44.0;
 /// From an axis to its numbers, in points.
 const BESIDE_AXIS: f32 = 5.0;
+/// The room of the numbers beside and below the grid, in points.
+const NUMBER_ROOM: [f32; 2] = [38.0, 22.0];
 /// The strengths of the grid's lines and of the square's edges, and their widths in points.
 const GRID: (f32, f32) = (0.4, 1.0);
 const EDGE: (f32, f32) = (0.9, 1.5);
@@ -59,6 +61,16 @@ impl UvGrid {
         Some((low.min(corners[0]).min(corners[1]), high.max(corners[0]).max(corners[1])))
     }
 
+    /// The margins of a fitted view that shows the unit square: with room for the numbers around it.
+    pub fn margins(&self, model: &Model, side: Side, margins: Margins) -> Margins {
+        let is_there = self.is_shown && self.placement.is_some() && model.abilities().has_layout();
+        if !is_there || !model.abilities().has_outline(side) {
+            return margins;
+        }
+        let bottom = margins.bottom + NUMBER_ROOM[1];
+        Margins { sides: margins.sides.max(NUMBER_ROOM[0]), bottom, ..margins }
+    }
+
     /// Paints the coordinates over the outline of the layout; nothing on the surface's side.
     pub fn paint(&self, ui: &Ui, side: Side, model: &Model, view: &View) {
         let Some(placement) = self.placement.filter(|_| self.is_shown && model.abilities().has_layout()) else {
@@ -68,7 +80,9 @@ impl UvGrid {
         let painter = ui.painter_at(view.rect);
         let at = |u: f64, v: f64| view.to_screen(placement.position(DVec2::new(u, v)));
         grid(ui, &painter, at);
-        numbers(ui, &painter, at);
+        for (place, align, text) in numbers(view.rect, at) {
+            word(ui, &painter, place, align, text);
+        }
         let Some(surface) = map.mapped().surface() else { return };
         for hole in surface.holes() {
             let places: Vec<DVec2> =
@@ -89,23 +103,28 @@ fn grid(ui: &Ui, painter: &Painter, at: impl Fn(f64, f64) -> Pos2) {
     }
 }
 
-/// The numbers at the axes: every fifth of the way where there is room, else at the ends and in the middle; the last one in
-/// the viewport names its axis.
-fn numbers(ui: &Ui, painter: &Painter, at: impl Fn(f64, f64) -> Pos2) {
+/// A number at an axis: the point that it is beside, on which side of that it lies, and its words.
+type AxisNumber = (Pos2, Align2, String);
+
+/// The numbers at the axes in `seen`, outside of the grid: every fifth of the way where there is room, else at the ends and
+/// in the middle; the last one names its axis. The last of v is above the grid, since beside it there is less room.
+fn numbers(seen: Rect, at: impl Fn(f64, f64) -> Pos2) -> Vec<AxisNumber> {
     let parts = if at(0.0, 0.0).distance(at(1.0, 0.0)) >= 5.0 * BETWEEN_NUMBERS { 5 } else { 2 };
     let part = |k: u32| f64::from(k) / f64::from(parts);
-    let below = |k: u32| at(part(k), 0.0) + vec2(0.0, BESIDE_AXIS);
-    let beside = |k: u32| at(0.0, part(k)) - vec2(BESIDE_AXIS, 0.0);
-    let axis = |name: &str, align: Align2, from: u32, place: &dyn Fn(u32) -> Pos2| {
-        let seen: Vec<u32> = (from..=parts).filter(|&k| painter.clip_rect().contains(place(k))).collect();
-        for &k in &seen {
-            let text = number(part(k), 1);
-            let named = seen.last() == Some(&k);
-            word(ui, painter, place(k), align, if named { format!("{name} = {text}") } else { text });
-        }
+    let below = |k: u32| (at(part(k), 0.0) + vec2(0.0, BESIDE_AXIS), Align2::CENTER_TOP);
+    let beside = |k: u32| match at(0.0, part(k)) {
+        corner if k == parts => (corner - vec2(0.0, BESIDE_AXIS), Align2::CENTER_BOTTOM),
+        place => (place - vec2(BESIDE_AXIS, 0.0), Align2::RIGHT_CENTER),
     };
-    axis("u", Align2::CENTER_TOP, 0, &below);
-    axis("v", Align2::RIGHT_CENTER, 1, &beside);
+    let axis = |name: &str, from: u32, place: &dyn Fn(u32) -> (Pos2, Align2)| -> Vec<AxisNumber> {
+        let seen: Vec<u32> = (from..=parts).filter(|&k| seen.contains(place(k).0)).collect();
+        let words = |k: u32| match number(part(k), 1) {
+            text if seen.last() == Some(&k) => format!("{name} = {text}"),
+            text => text,
+        };
+        seen.iter().map(|&k| (place(k).0, place(k).1, words(k))).collect()
+    };
+    [axis("u", 0, &below), axis("v", 1, &beside)].concat()
 }
 
 /// A word on a ground that keeps it readable over any pattern, moved into the viewport.
@@ -168,6 +187,20 @@ mod tests {
         let whole = placement(Layout { unit: true, corners: true });
         let errors = [whole.position(DVec2::ZERO) - low, whole.position(DVec2::ONE) - high];
         assert!(errors.iter().all(|error| error.length() < 1e-9), "{errors:?}");
+    }
+
+    #[test]
+    fn the_numbers_of_the_axes_lie_outside_of_the_grid() {
+        let square = Rect::from_min_max(egui::pos2(40.0, 60.0), egui::pos2(340.0, 360.0));
+        let at = |u: f64, v: f64| square.left_bottom() + 300.0 * vec2(u as f32, -v as f32);
+        let numbers = numbers(Rect::from_min_max(Pos2::ZERO, egui::pos2(380.0, 420.0)), at);
+        let named: Vec<&str> =
+            numbers.iter().map(|(.., text)| text.as_str()).filter(|text| text.contains('=')).collect();
+        assert_eq!(named, ["u = 1.0", "v = 1.0"]);
+        for (place, align, text) in numbers {
+            let area = align.anchor_size(place, vec2(44.0, 16.0));
+            assert!(!area.intersects(square), "{text} at {area:?}");
+        }
     }
 
     #[test]

@@ -7,7 +7,7 @@ use crate::geometry::DVec2;
 use crate::render::Camera;
 use egui::{Pos2, Rect, Vec2, vec2};
 
-/// Free space around a fitted outline, in points.
+/// Free space around a fitted outline or surface, in points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margins {
     /// Left and right.
@@ -16,6 +16,19 @@ pub struct Margins {
     pub top: f32,
     /// Below, for the legend.
     pub bottom: f32,
+}
+
+impl Margins {
+    /// No free space.
+    #[cfg(test)]
+    pub const NONE: Self = Self { sides: 0.0, top: 0.0, bottom: 0.0 };
+
+    /// The part of `rect` between the margins; at least a point wide and high.
+    pub fn within(self, rect: Rect) -> Rect {
+        let Self { sides, top, bottom } = self;
+        let size = vec2((rect.width() - 2.0 * sides).max(1.0), (rect.height() - top - bottom).max(1.0));
+        Rect::from_min_size(rect.min + vec2(sides, top), size)
+    }
 }
 
 /// The margins on a desktop, with room for a legend.

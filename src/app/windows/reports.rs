@@ -63,8 +63,8 @@ impl Reports {
         let waiting = match report {
             Report::Bench => BenchRow::all().into_iter().map(|row| Study::Bench { row, runs: runs(row) }).collect(),
             Report::Convergence => {
-                let ladder = ladder(self.shown.shape);
-                ladder.chain(RESOLUTIONS.map(|m| Study::Convergence { m })).collect()
+                let figure = RESOLUTIONS.map(|m| Study::Convergence { m });
+                figure.into_iter().chain(ladder(self.shown.shape)).collect()
             }
         };
         self.close();
@@ -154,10 +154,10 @@ impl Reports {
         ScrollArea::both().auto_shrink(false).max_height(height).show(ui, |ui| match report {
             Report::Bench => self.tables(ui),
             Report::Convergence => {
+                heading(ui, key::convergence_of_paper());
+                convergence_chart(ui, &self.convergence, &RESOLUTIONS);
                 heading(ui, key::accuracy_of_methods());
                 ladder_chart(ui, &self.ladder, self.shown, actions);
-                heading(ui, key::convergence_of_paper());
-                convergence_chart(ui, &self.convergence);
             }
         });
         if close_button(ui).clicked() {
@@ -335,6 +335,7 @@ mod tests {
         let mut reports = Reports::default();
         reports.open(Report::Convergence);
         let first = reports.take_study().unwrap();
+        assert!(matches!(first, Study::Convergence { .. }), "Figure 15 before the accuracy: {first:?}");
         assert!(reports.take_study().is_none(), "one at a time");
         reports.open(Report::Bench);
         assert!(reports.take_study().is_none(), "the closed window's study is still in flight");

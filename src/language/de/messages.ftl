@@ -268,7 +268,7 @@ repair_dropped_vertices = { $count ->
 }
 surface_file_malformed = { $place }: { $fault }
 topology_components = die Fläche hat { $count } Teile (Dreiecke: { $sizes }): den größten behalten
-topology_loops = die Fläche hat { $count } Randkurven, eine Scheibe hat eine: alle außer der längsten füllen. Es sind { $loops }
+topology_loops = die Fläche hat { $count } Randkurven, eine Scheibe hat eine: alle außer der längsten füllen. Das sind die Randkurven: { $loops }
 topology_flat_hole = { $count ->
     [one] ein Loch hat keine Fläche, da seine Ecken auf einer Linie liegen: Sie sind zu verbinden ({ $hole })
    *[other] { $count } Löcher haben keine Fläche, da ihre Ecken auf einer Linie liegen: Sie sind zu verbinden (das erste: { $hole })

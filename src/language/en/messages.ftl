@@ -31,7 +31,7 @@ disk_stands_in = a disk stands in for the { $side }'s outline "{ $name }", which
 surface_not_in_link = the surface "{ $name }" is not in it and travels as a file
 image_not_in_link = the image is not in it
 link_copied_but = The link was copied, but { $reasons }.
-grey_in_colours = { $what }: grey in the colours of distortion
+grey_in_colours = { $what }: gray in the colors of distortion
 open_in_picture = { $what }: only in the map; they are open in the picture and in files
 preparation_stopped = The preparation stopped unexpectedly ({ $reason }). The map shown is the last one.
 session_not_saved = The session was not saved: { $reason }
@@ -157,7 +157,7 @@ drawing_too_few_points = { $count ->
    *[other] an outline needs at least 3 points; { $count } are set
 }
 drawing_last_handles = an outline keeps at least { $least } handles: this one cannot go
-trace_one_colour = the whole picture has one colour: there is no shape to trace
+trace_one_colour = the whole picture has one color: there is no shape to trace
 trace_no_shape = no shape was found in the picture: the largest one takes less than a thousandth of it
 
 ## mesh
@@ -268,7 +268,7 @@ repair_dropped_vertices = { $count ->
 }
 surface_file_malformed = { $place }: { $fault }
 topology_components = the surface has { $count } components: keep the largest one (triangles: { $sizes })
-topology_loops = the surface has { $count } boundary loops where a disk has one: fill all but the longest. They are { $loops }
+topology_loops = the surface has { $count } boundary loops where a disk has one: fill all but the longest. These are the loops: { $loops }
 topology_flat_hole = { $count ->
     [one] a hole has no area, since its vertices lie in a line: join them ({ $hole })
    *[other] { $count } holes have no area, since their vertices lie in a line: join them (the first: { $hole })
@@ -370,7 +370,7 @@ map_negative_kernel = { $edges ->
    *[other] the ends of { $edges } boundary edges fall together: no inner way leads there from the surface point, or too long a one, or the kernel is negative there, as it may be without intrinsic Delaunay flips
 }
 walk_start_outside = the start ({ $x }, { $y }) of the random walks is not inside the outline as it is sampled
-walk_no_boundary = a boundary of finite points is needed, at least 3 of them, no two neighbours equal
+walk_no_boundary = a boundary of finite points is needed, at least 3 of them, no two neighbors equal
 pins_turned = the outline was turned over, and the pins would run the other way around: the points determine the map
 pin_count = { $count } boundary pairs are given: from three to { $most } determine a map
 pin_not_finite = pin { $pin } has no place on the { $side }'s boundary
@@ -402,7 +402,7 @@ formula_of_surface = the { $side } is a surface; a formula is for two outlines
 formula_finite_elements = the { $side } has no exact boundary values: { $reason }
 formula_no_integral = the { $side } has no exact boundary values: the boundary integral was not computed
 formula_no_digit = no rational function of degree up to { $degree } has one digit: the map's error is { $forward }, the inverse's { $inverse }
-formula_cancelled = cancelled
+formula_cancelled = canceled
 
 ## zipper
 
@@ -475,7 +475,7 @@ choice_direction = direction
 choice_side = side
 choice_kernel = kernel mode
 choice_solver = solver
-choice_colouring = colouring
+choice_colouring = coloring
 choice_texture = texture
 choice_extension = extension
 choice_comparison = comparison
@@ -504,7 +504,7 @@ settled_distortion_constraints = the paper shows the constraints in Figure 1 onl
 settled_reshaping_samples = 500 samples of the gingerbread man as in Table 1; 1000 of each target
 settled_crowding_x1 = x₁ = 0.96 + 0.8432i and y₁ = 1 + i as in Figure 3
 settled_crowding_x2 = the paper gives no x₂, y₂: the images of 0 and 1 under the blob's exact map
-settled_crowding_precomputed = precomputed maps go through the centre −i of the V and the blob's pole of inaccessibility
+settled_crowding_precomputed = precomputed maps go through the center −i of the V and the blob's pole of inaccessibility
 settled_crowding_zipper = of the paper's other algorithms the geodesic one (Zipper) is shown
 settled_l_shapes_hemisphere = the hemisphere is riemap's own with m = 900 as in the caption; its triangles are uniform, so that there are more than the paper's 4800
 settled_l_shapes_leftmost = leftmost: the L to whose corners six equidistant points go when the pole goes to (1, 1)/√3 of its sides; by Schwarz and Christoffel its arms are √3 − 1 of them wide
@@ -593,5 +593,5 @@ region_crosses = the boundary crosses itself at longitude { $longitude }°, lati
 region_touches = the boundary touches itself at longitude { $longitude }°, latitude { $latitude }°: the edge after { $first } and the edge after { $second }
 region_no_polygon = the boundary cannot be used: { $reason }
 region_not_meshed = the region cannot be triangulated: { $reason }
-projection_cancelled = the computation was cancelled
+projection_cancelled = the computation was canceled
 projection_is_stereographic = The best stereographic projection was taken: the map that was fitted to a constant scale along the boundary varies more.

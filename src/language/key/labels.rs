@@ -180,7 +180,8 @@ keys_of_labels! {
     aim_region_tooltip, aim_symmetry, aim_symmetry_tooltip, symmetry_of_outlines, find_best, find_best_tooltip, cancel_best_tooltip, course_tooltip, landscape,
     landscape_tooltip, landscape_of_surface, brush, brush_tooltip, brush_size, clear_region, clear_region_tooltip, paint_here,
     paint_here_tooltip, painted_here,
-    region_is_empty, best_map_interrupted, best_sought,
+    region_is_empty, best_map_interrupted, best_sought, region_in_legend, value_area, value_scale, value_region,
+    value_symmetry,
     // tiling
     tiling, tiling_tooltip, tiling_heading, explain_tiling, tile_sides, tile_sides_tooltip, tiles_at_corner,
     tiles_at_corner_tooltip, tiling_tiles, tiling_tiles_tooltip, tiling_edges, tiling_edges_tooltip, tiling_triangles,

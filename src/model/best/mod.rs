@@ -15,7 +15,7 @@ use crate::geometry::DVec3;
 use crate::language::{Message, key};
 use crate::laplace::Deadline;
 use crate::model::Model;
-use crate::optimization::{Criterion, Dab, MOST_DABS, Optimization};
+use crate::optimization::{Criterion, Dab, Least, MOST_DABS, Optimization};
 use crate::session::{Command, Touched};
 use criterion::KnownSymmetries;
 use flight::{Flight, is_same_place};
@@ -86,7 +86,7 @@ pub struct Outcome {
     /// How often it was computed.
     pub evaluations: usize,
     /// As [`Optimization::course`].
-    pub course: Vec<(usize, f64)>,
+    pub course: Vec<Least>,
 }
 
 /// A search under way.
@@ -139,7 +139,7 @@ impl BestMap {
     }
 
     /// The share of the search under way that is done, and its course.
-    pub fn progress(&self) -> Option<(f64, &[(usize, f64)])> {
+    pub fn progress(&self) -> Option<(f64, &[Least])> {
         self.search.as_ref().map(|search| (search.optimization.progress(), search.optimization.course()))
     }
 

@@ -29,6 +29,8 @@ pub struct Landscapes {
     landscape: Landscape,
     ranks: Vec<f32>,
     levels: Vec<Level>,
+    /// The least, the middle and the largest finite value.
+    quantiles: Option<[f64; 3]>,
 }
 
 impl Landscapes {
@@ -40,7 +42,10 @@ impl Landscapes {
         let ranks = landscape.values().iter().map(rank).collect();
         let level = |k: usize| sorted.get(k * sorted.len() / (LEVELS + 1)).copied();
         let levels = (1..=LEVELS).filter_map(level).map(|value| Level { value, line: landscape.level_line(value) });
-        Self { levels: levels.collect(), ranks, landscape }
+        let quantile = |k: usize| sorted.get(k * sorted.len().saturating_sub(1) / 2).copied();
+        let quantiles =
+            quantile(0).zip(quantile(1)).zip(quantile(2)).map(|((least, middle), most)| [least, middle, most]);
+        Self { levels: levels.collect(), ranks, quantiles, landscape }
     }
 
     /// The source whose vertices the ranks belong to.
@@ -51,6 +56,11 @@ impl Landscapes {
     /// By vertex the share of vertices with a lesser value, from 0 to 1.
     pub fn ranks(&self) -> &[f32] {
         &self.ranks
+    }
+
+    /// The values with the ranks 0, ½ and 1; `None` if no value is finite.
+    pub fn quantiles(&self) -> Option<[f64; 3]> {
+        self.quantiles
     }
 
     /// Level lines, from below.

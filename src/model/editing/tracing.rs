@@ -37,7 +37,7 @@ const LEAST_CONTRAST: f64 = 0.02;
 #[non_exhaustive]
 pub enum TraceError {
     /// All pixels have one color.
-    #[error("the whole picture has one colour: there is no shape to trace")]
+    #[error("the whole picture has one color: there is no shape to trace")]
     OneColor,
     /// There are only specks.
     #[error("no shape was found in the picture: the largest one takes less than a thousandth of it")]

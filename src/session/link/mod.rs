@@ -188,7 +188,7 @@ pub enum Choice {
     #[error("solver")]
     Solver,
     /// What the triangles are colored by.
-    #[error("colouring")]
+    #[error("coloring")]
     Colouring,
     /// The texture.
     #[error("texture")]

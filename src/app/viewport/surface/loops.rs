@@ -180,6 +180,7 @@ fn paint_number(ui: &Ui, painter: &Painter, each: &BoundaryLoop, sight: &Sight<'
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
+    use crate::app::viewport::view::Margins;
     use crate::render::BoundingSphere;
     use crate::surface::{Surface, SurfaceMesh};
     use egui::{Rect, pos2, vec2};
@@ -202,7 +203,7 @@ mod tests {
         let tree = SurfaceTree::new(mesh.mesh());
         let scene = BoundingSphere { center: DVec3::Z, radius: 1.5 };
         let mut view = OrbitView::default();
-        view.place(Rect::from_min_size(pos2(100.0, 50.0), vec2(600.0, 500.0)), 1.0, scene);
+        view.place(Rect::from_min_size(pos2(100.0, 50.0), vec2(600.0, 500.0)), 1.0, Margins::NONE, scene);
         view.look(OrbitCamera::new(scene, DVec3::new(0.0, -1.0, 0.4), DVec3::Z, view.aspect()));
         let eye = view.camera().unwrap().eye();
         let lower = [BoundaryLoop { number: 1, is_outline: false, length: 6.3, places: ring(0.0).collect() }];

@@ -1,5 +1,6 @@
 //! How the surface is seen: an eye that goes around it, in points of its viewport.
 
+use crate::app::viewport::view::Margins;
 use crate::geometry::{DVec2, DVec3};
 use crate::render::{BoundingSphere, OrbitCamera};
 use egui::{Pos2, Rect, Vec2};
@@ -29,12 +30,15 @@ impl Default for OrbitView {
 }
 
 impl OrbitView {
-    /// Puts the view at `rect`; unless it was moved or zoomed, it shows all of `scene`.
-    pub fn place(&mut self, rect: Rect, pixels_per_point: f32, scene: BoundingSphere) {
+    /// Puts the view at `rect`; unless it was moved or zoomed, it shows all of `scene` between the margins.
+    pub fn place(&mut self, rect: Rect, pixels_per_point: f32, margins: Margins, scene: BoundingSphere) {
         (self.rect, self.pixels_per_point) = (rect, pixels_per_point);
-        let aspect = self.aspect();
+        let size = self.size();
         if let Some(camera) = self.camera.as_mut().filter(|_| self.is_fitted) {
-            camera.fit(scene, aspect);
+            let free = margins.within(rect);
+            // the sphere as in a viewport that is as wide as the free part's shorter side, moved to its middle
+            camera.fit(scene, f64::from(free.size().min_elem() / rect.height()));
+            camera.pan(wide(free.center() - rect.center()), size);
         }
     }
 
@@ -144,9 +148,27 @@ mod tests {
 
     fn view() -> OrbitView {
         let mut view = OrbitView::default();
-        view.place(Rect::from_min_size(pos2(700.0, 50.0), vec2(600.0, 500.0)), 2.0, SCENE);
+        view.place(Rect::from_min_size(pos2(700.0, 50.0), vec2(600.0, 500.0)), 2.0, Margins::NONE, SCENE);
         view.look(OrbitCamera::new(SCENE, DVec3::new(0.0, -1.0, 0.5), DVec3::Z, view.aspect()));
         view
+    }
+
+    #[test]
+    fn a_fitted_surface_lies_between_the_margins() {
+        let margins = Margins { sides: 20.0, top: 73.0, bottom: 91.0 };
+        for size in [vec2(600.0, 500.0), vec2(360.0, 330.0), vec2(200.0, 500.0)] {
+            let mut view = view();
+            view.place(Rect::from_min_size(pos2(700.0, 50.0), size), 2.0, margins, SCENE);
+            let free = margins.within(view.rect);
+            let rim = |k: i32| {
+                let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / 64.0).sin_cos();
+                let camera = view.camera().unwrap();
+                view.to_screen(SCENE.center + SCENE.radius * (camera.rotation * DVec3::new(cos, sin, 0.0))).unwrap()
+            };
+            let seen = Rect::from_points(&(0..64).map(rim).collect::<Vec<_>>());
+            assert!(free.expand(0.5).contains_rect(seen), "{seen} in {free}");
+            assert!(seen.size().min_elem() > 0.9 * free.size().min_elem(), "{seen} fills {free}");
+        }
     }
 
     #[test]
@@ -164,10 +186,10 @@ mod tests {
         let mut view = view();
         view.zoom(2.0, pos2(900.0, 200.0));
         let moved = *view.camera().unwrap();
-        view.place(view.rect, 2.0, SCENE);
+        view.place(view.rect, 2.0, Margins::NONE, SCENE);
         assert!(!view.is_fitted() && *view.camera().unwrap() == moved);
         view.fit();
-        view.place(view.rect, 2.0, SCENE);
+        view.place(view.rect, 2.0, Margins::NONE, SCENE);
         assert_eq!(view.camera().unwrap().target, SCENE.center);
     }
 

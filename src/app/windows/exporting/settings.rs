@@ -9,7 +9,7 @@ use crate::export::FileFormat;
 use crate::language::{Label, Message, key, say, tr};
 use crate::model::export::request::Kind;
 use crate::render::{FilmFormat, MOST_FRAMES, SECONDS};
-use egui::{Button, Response, RichText, Ui, vec2};
+use egui::{Button, Id, Response, RichText, Ui, vec2};
 
 /// The sizes offered as buttons, in pixels.
 const SIZES: [([u32; 2], &str); 4] = [
@@ -93,10 +93,26 @@ impl Exporter {
         ui.end_row();
     }
 
+    /// The row of the size: its label is beside the first line of choices, also where they take several.
     fn size(&mut self, ui: &mut Ui, around: &Surroundings, height: f32) {
-        ui.label(tr(key::size()));
-        let most = around.max_side.min(*SIDES.end());
+        let of_row = Id::unique("height of the sizes");
+        let row: f32 = ui.data(|data| data.get_temp(of_row)).unwrap_or(height);
         ui.vertical(|ui| {
+            ui.set_min_height(row);
+            ui.spacing_mut().interact_size.y = height;
+            ui.horizontal(|ui| ui.label(tr(key::size())));
+        });
+        let fields = self.size_fields(ui, around, height);
+        if fields.rect.height() != row {
+            ui.data_mut(|data| data.insert_temp(of_row, fields.rect.height()));
+            ui.request_repaint();
+        }
+        ui.end_row();
+    }
+
+    fn size_fields(&mut self, ui: &mut Ui, around: &Surroundings, height: f32) -> Response {
+        let most = around.max_side.min(*SIDES.end());
+        let fields = ui.vertical(|ui| {
             ui.horizontal_wrapped(|ui| {
                 for (size, label) in SIZES.into_iter().filter(|(size, _)| size.iter().all(|&side| side <= most)) {
                     if self.choice_named(ui, [label; 2], self.request.size == size, height).clicked() {
@@ -116,7 +132,7 @@ impl Exporter {
                 }
             });
         });
-        ui.end_row();
+        fields.response
     }
 
     fn sides(&mut self, ui: &mut Ui, height: f32) {

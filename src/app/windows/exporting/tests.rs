@@ -4,6 +4,7 @@ use crate::app::RiemapApp;
 use crate::app::input::action::{Action, ExportAction};
 use crate::app::tests::{has_adapter, prepared_model, ready_app, step_until};
 use crate::app::windows::exporting::Exporter;
+use crate::app::windows::exporting::window::{MapState, Surroundings};
 use crate::conformal::{PerSide, Side};
 use crate::export::{FileFormat, FormulaFormat};
 use crate::family::Path;
@@ -153,6 +154,25 @@ fn the_window_opens_by_key_reports_errors_and_closes() {
     harness.key_press(Key::Escape);
     harness.run_steps(3);
     assert_eq!(harness.state().stats().screen.windows.export, None);
+}
+
+#[test]
+fn the_label_of_the_size_is_beside_the_first_line_of_choices() {
+    for size in [[1440.0, 900.0], [720.0, 450.0], [390.0, 844.0]] {
+        let abilities = Abilities::between(PerSide::new(false, false));
+        let around = Surroundings { map: MapState::Ready, abilities, max_side: 8192, no_formula: None };
+        let show = move |ui: &mut egui::Ui, exporter: &mut Exporter| {
+            exporter.show(ui.ctx(), &around, &mut crate::app::input::action::Actions::new());
+        };
+        let mut exporter = Exporter::default();
+        exporter.open();
+        let harness = Harness::builder().with_size(size).with_context_setup(crate::app::theme::install);
+        let mut harness = harness.build_ui_state(show, exporter);
+        harness.run();
+        let middle = |label: &str| harness.get_by_label(label).rect().center().y;
+        assert!((middle("Size") - middle("800 × 450")).abs() < 1.5, "{size:?}");
+        assert!(middle("1080 × 1080") > middle("800 × 450") + 20.0, "{size:?}: the choices take several lines");
+    }
 }
 
 #[test]

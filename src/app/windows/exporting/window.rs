@@ -17,8 +17,10 @@ use std::collections::BTreeMap;
 const WIDTH: f32 = 400.0;
 /// Room for the scroll bar beside the form.
 const SCROLL_BAR: f32 = 10.0;
-/// The height above and below the form together, in points.
-const BESIDES: f32 = 210.0;
+/// The height above and below the form together, in points, and on a screen lower than [`LOW`], where the window may lie
+/// over the bars.
+const BESIDES: [f32; 2] = [210.0, 150.0];
+const LOW: f32 = 500.0;
 /// The largest height of an error in the window.
 const MOST_MESSAGE: f32 = 120.0;
 /// The initial distance from the screen's upper edge to the window, in points: below the top bar.
@@ -189,7 +191,8 @@ impl Exporter {
     /// The form with what a formula reached, which scrolls, and below it the buttons or the progress of the job.
     fn content(&mut self, ui: &mut Ui, around: &Surroundings, actions: &mut Actions) {
         let height = control_height(ui, ROW_HEIGHT);
-        scroll_beyond(ui, BESIDES, |ui| {
+        let is_low = ui.ctx().content_rect().height() < LOW;
+        scroll_beyond(ui, BESIDES[usize::from(is_low)], |ui| {
             ui.set_width(ui.available_width() - SCROLL_BAR);
             ui.add_enabled_ui(!self.is_busy(), |ui| {
                 self.kinds(ui, around, height);

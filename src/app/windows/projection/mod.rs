@@ -142,7 +142,7 @@ mod tests {
         window.accept(&file, Finding::Failed("stale".into()));
         assert_eq!((window.progress(), window.error()), (Some(0.0), None));
         assert!(window.cancel() && !window.cancel() && window.is_open());
-        window.accept(&ProjectionTask::Island, Finding::Failed("cancelled".into()));
+        window.accept(&ProjectionTask::Island, Finding::Failed("canceled".into()));
         assert_eq!((window.error(), window.progress()), (None, None));
         window.begin(file.clone());
         window.accept(&file, Finding::Failed("no region".into()));

@@ -4,7 +4,7 @@
 pub mod card;
 mod course;
 mod motions;
-mod steps;
+pub mod steps;
 
 use crate::session::Session;
 pub use course::{Course, Stop};
