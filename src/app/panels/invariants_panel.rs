@@ -141,7 +141,7 @@ const MOST_DECIMALS: f64 = 15.0;
 const SMALL: f64 = 1e-4;
 
 /// The decimals that the column has room for, with the error beside them.
-const DECIMALS_IN_COLUMN: f64 = 9.0;
+const DECIMALS_IN_COLUMN: f64 = 7.0;
 
 /// A number to the digits that its error allows, and the error.
 pub fn shown(number: Number) -> String {
@@ -179,7 +179,7 @@ mod tests {
         let modulus = Number { value: 1.524_504_094_083_92, error: 1e-14 };
         assert_eq!(
             (shown(modulus).as_str(), shortened(modulus).as_str()),
-            ("1.52450409408392 ± 1e-14", "1.524504094… ± 1e-14")
+            ("1.52450409408392 ± 1e-14", "1.5245041… ± 1e-14")
         );
     }
 }

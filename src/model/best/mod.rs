@@ -23,7 +23,7 @@ use mask::Mask;
 pub use mask::Part;
 use relief::Relief;
 pub use relief::{Landscapes, Level};
-use sides::KnownSides;
+use sides::{KnownShapes, KnownSides};
 use std::sync::Arc;
 
 /// The time of a frame for a search or a landscape, in ms: half of a frame at 60 Hz.
@@ -100,8 +100,10 @@ struct Search {
 #[derive(Debug)]
 pub struct BestMap {
     aim: Aim,
-    /// The sides of the last search; its result is theirs.
+    /// The sides of the last search.
     sides: Option<KnownSides>,
+    /// The shapes of its sides; its result is theirs, also where sides are prepared anew for the points that were found.
+    shapes: Option<KnownShapes>,
     search: Option<Search>,
     /// The result of the last search, and its constraints.
     outcome: Option<(Outcome, Constraints)>,
@@ -119,6 +121,7 @@ impl Default for BestMap {
         Self {
             aim: Aim::default(),
             sides: None,
+            shapes: None,
             search: None,
             outcome: None,
             error: None,
@@ -236,7 +239,8 @@ impl Model {
             Err(error) => return best.error = Some(Message::from(&error)),
         };
         let optimization = Optimization::new(sides, criterion, start, settings);
-        (best.search, best.sides) = (Some(Search { aim: best.aim, optimization }), Some(known));
+        best.search = Some(Search { aim: best.aim, optimization });
+        (best.sides, best.shapes) = (Some(known), Some(KnownShapes::new(&self.session)));
     }
 
     fn both_sides(&self) -> Option<PerSide<Arc<PreparedSide>>> {
@@ -272,7 +276,8 @@ impl Model {
     /// Ends the motion of the points if the user moves them, undoes a step or changes a side meanwhile, and drops the result
     /// of another map.
     fn drop_disturbed(&mut self) {
-        let (Some(at), true) = (self.constraints(), self.has_sides_of_search()) else {
+        let has_its_shapes = self.best.shapes.as_ref().is_some_and(|shapes| shapes.are_of(&self.session));
+        let (Some(at), true) = (self.constraints(), has_its_shapes) else {
             (self.best.flight, self.best.outcome) = (None, None);
             return;
         };

@@ -101,6 +101,33 @@ fn points_that_move_to_the_best_map_stop_where_somebody_moves_them() {
     assert_eq!(model.session(), &moved);
 }
 
+/// The found point of a gingerbread man with even scales lies where its equation was not resolved.
+#[test]
+fn a_side_that_is_prepared_anew_for_the_found_point_keeps_the_result() {
+    let mut model = Model::new(Session::default());
+    model.update_ms = f64::INFINITY;
+    let answer = |model: &mut Model| {
+        for _ in 0..8 {
+            settle(model);
+            for (side, request) in model.take_requests(f64::INFINITY) {
+                crate::worker::run(&request, &mut |generation, response| model.accept(side, generation, response));
+            }
+        }
+        model.refresh(false);
+        assert!(model.is_mapped() && model.is_sharp());
+    };
+    answer(&mut model);
+    let before = model.prepared(Side::Source).cloned().unwrap();
+    model.act_on_best(BestAction::Aim(Aim::Scale));
+    model.act_on_best(BestAction::Start);
+    run(&mut model, true);
+    let outcome = model.best().outcome().cloned().unwrap();
+    answer(&mut model);
+    run(&mut model, true);
+    assert!(!Arc::ptr_eq(&before, model.prepared(Side::Source).unwrap()), "it was prepared anew");
+    assert_eq!(model.best().outcome(), Some(&outcome));
+}
+
 #[test]
 fn pins_are_dropped_for_the_best_map() {
     let mut model = model([]);
