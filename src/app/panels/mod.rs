@@ -4,7 +4,7 @@
 //! |---|---|
 //! | the column of controls | `side_panel`, `surface_panel`, `play_panel` |
 //! | which map: by points or by pins | `pins_panel` |
-//! | the best map of the family; the course of its search | `best_panel`, `best_course` |
+//! | the best map of the family; the course of its search | `best_panel` |
 //! | the boundary loops of a surface | `loops_panel` |
 //! | its folded part, whatever names a method | `advanced`, `method`, `interpretation`, `symmetry_panel`, `invariants_panel`, `quadrilateral_panel` |
 //! | the welcome of the first visit | `welcome` |
@@ -14,7 +14,6 @@
 //! | the offers to trace a picture and to map a region | `offer` |
 
 mod advanced;
-mod best_course;
 pub mod best_panel;
 pub mod header;
 mod interpretation;

@@ -1,8 +1,9 @@
 //! The best map: its criterion, the region that is painted, the search with its course, and the landscape.
 
+mod course;
+
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::scrolling::has_changed;
-use crate::app::panels::best_course;
 use crate::app::theme::Palette;
 use crate::app::theme::explained::explained_heading;
 use crate::app::theme::widgets::{Segment, captioned_slider, segmented};
@@ -50,7 +51,7 @@ fn search(ui: &mut Ui, model: &Model, actions: &mut Actions) {
             }
             ui.add(ProgressBar::new(done as f32).desired_height(8.0).corner_radius(CornerRadius::same(4)));
         });
-        best_course::show(ui, course);
+        course::show(ui, course);
         return;
     }
     let button = ui.add_enabled(model.can_search() && !best.is_moving(), Button::new(tr(key::find_best())));
@@ -61,7 +62,7 @@ fn search(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     let answer = ui.scope(|ui| {
         if let Some(outcome) = best.outcome() {
             ui.label(say(&said(outcome)));
-            best_course::show(ui, &outcome.course);
+            course::show(ui, &outcome.course);
         }
         if let Some(error) = best.error() {
             ui.label(RichText::new(say(error)).color(ui.visuals().error_fg_color));

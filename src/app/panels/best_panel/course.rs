@@ -8,7 +8,7 @@ use crate::app::theme::Palette;
 use crate::app::theme::text_metrics::text_width;
 use crate::app::theme::widgets::caption_font;
 use crate::language::{key, number, tr};
-use crate::optimization::Least;
+use crate::model::best::Least;
 use egui::{Align2, CornerRadius, Painter, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
 
 /// The height of the plot, in points.
