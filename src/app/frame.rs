@@ -141,8 +141,7 @@ impl RiemapApp {
         if is_held {
             return;
         }
-        let work = self.model.next_grid_work(now);
-        match work {
+        match self.model.next_grid_work(now) {
             GridWork::Nothing => {}
             GridWork::Wait(seconds) => context.request_repaint_after_secs(seconds as f32),
             GridWork::Begin(task) => self.workers.grid_runner.begin(Study::Grid(Box::new(task))),

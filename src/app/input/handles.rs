@@ -40,14 +40,11 @@ impl HandleKind {
             Self::Boundary | Self::Pin(_) | Self::Mark(_) => BOUNDARY_COLOUR,
         }
     }
+}
 
-    /// The number of a pin or of a mark, from 1; 0 for the others.
-    pub fn number(self) -> u32 {
-        match self {
-            Self::Interior | Self::Boundary => 0,
-            Self::Pin(k) | Self::Mark(k) => u32::from(k) + 1,
-        }
-    }
+/// The number, from 1, of the pin or of the mark with this index.
+pub fn number(index: u8) -> u32 {
+    u32::from(index) + 1
 }
 
 /// One of the dots.
@@ -73,8 +70,8 @@ impl Handle {
             (HandleKind::Interior, Side::Target) => "x₂",
             (HandleKind::Boundary, Side::Source) => "y₁",
             (HandleKind::Boundary, Side::Target) => "y₂",
-            (HandleKind::Pin(_), _) => return Cow::Owned(self.kind.number().to_string()),
-            (HandleKind::Mark(_), _) => return Cow::Owned(say(&key::mark(self.kind.number()))),
+            (HandleKind::Pin(k), _) => return Cow::Owned(number(k).to_string()),
+            (HandleKind::Mark(k), _) => return Cow::Owned(say(&key::mark(number(k)))),
         })
     }
 }

@@ -3,7 +3,7 @@
 //! An interior dot and the probe move on the screen, a boundary dot along its boundary (right and up: counter-clockwise);
 //! Shift makes the steps ten times smaller. In a viewport the arrow keys move the camera, `+` and `-` zoom, `0` fits.
 
-use crate::app::input::handles::{GRAB_RADIUS, Handle, HandleKind, HandleState, Places};
+use crate::app::input::handles::{GRAB_RADIUS, Handle, HandleKind, HandleState, Places, number};
 use crate::app::input::locks::{Control, Locks};
 use crate::conformal::Side;
 use crate::language::{Label, key, say, tr};
@@ -171,8 +171,8 @@ fn name(handle: Handle) -> String {
         (HandleKind::Interior, Side::Target) => key::x2_interior_point_target(),
         (HandleKind::Boundary, Side::Source) => key::y1_boundary_point_source(),
         (HandleKind::Boundary, Side::Target) => key::y2_boundary_point_target(),
-        (HandleKind::Pin(_), side) => return say(&key::pin_of_side(handle.kind.number(), side)),
-        (HandleKind::Mark(_), side) => return say(&key::mark_of_side(handle.kind.number(), side)),
+        (HandleKind::Pin(k), side) => return say(&key::pin_of_side(number(k), side)),
+        (HandleKind::Mark(k), side) => return say(&key::mark_of_side(number(k), side)),
     };
     String::from(tr(label))
 }

@@ -15,6 +15,15 @@ fn surface_file() -> Vec<u8> {
     file.bytes.to_vec()
 }
 
+/// A black box on white, as a PNG file.
+fn picture_of_a_box() -> Vec<u8> {
+    let ink = |x: u32, y: u32| if (60..180).contains(&x) && (90..150).contains(&y) { 0 } else { 255 };
+    let picture = image::GrayImage::from_fn(300, 240, |x, y| image::Luma([ink(x, y)]));
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+    bytes.into_inner()
+}
+
 #[test]
 fn a_surface_is_prepared_before_the_next_frame_and_seen_before_its_triangles_are_sorted() {
     let mut harness = ready_app([1200.0, 800.0]);
@@ -136,13 +145,7 @@ fn what_was_wrong_with_a_target_outline_is_past_when_a_surface_takes_its_place()
 
 #[test]
 fn a_picture_opened_as_an_outline_waits_for_the_answer_what_it_is_for() {
-    let png = |pixels: image::RgbaImage| {
-        let mut bytes = std::io::Cursor::new(Vec::new());
-        pixels.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
-        bytes.into_inner()
-    };
-    let ink = |x: u32, y: u32| if (60..180).contains(&x) && (90..150).contains(&y) { 0 } else { 255 };
-    let bytes = png(image::RgbaImage::from_fn(300, 240, |x, y| image::Rgba([ink(x, y), ink(x, y), ink(x, y), 255])));
+    let bytes = picture_of_a_box();
     let mut harness = ready_app([1200.0, 800.0]);
     let context = harness.ctx.clone();
     let before = harness.state().session().clone();
@@ -170,13 +173,9 @@ fn a_picture_opened_as_an_outline_waits_for_the_answer_what_it_is_for() {
 
 #[test]
 fn a_question_waits_for_its_answer_whatever_else_is_opened() {
-    let ink = |x: u32, y: u32| if (60..180).contains(&x) && (90..150).contains(&y) { 0 } else { 255 };
-    let picture = image::RgbaImage::from_fn(300, 240, |x, y| image::Rgba([ink(x, y), ink(x, y), ink(x, y), 255]));
-    let mut bytes = std::io::Cursor::new(Vec::new());
-    picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
     let mut harness = ready_app([1200.0, 800.0]);
     let context = harness.ctx.clone();
-    let bytes = bytes.into_inner();
+    let bytes = picture_of_a_box();
     harness.state_mut().take_file(FilePurpose::Outline(Side::Source), "box.png", Ok(bytes.clone()));
     step_until(&mut harness, |app| app.messages.offer.is_some());
     let before = harness.state().session().clone();

@@ -3,7 +3,7 @@
 //! A square stands outside of the outline, where no dot covers it: the dot of y may be at its place. A line connects it
 //! with its foot, the marked point; a drag moves the foot as the pointer moves, since the square turns about it at corners.
 
-use crate::app::input::handles::{Handle, HandleKind, HandleState, Places};
+use crate::app::input::handles::{Handle, HandleKind, HandleState, Places, number};
 use crate::app::theme::{Palette, bold};
 use crate::app::viewport::dots;
 use crate::app::viewport::view::View;
@@ -24,10 +24,16 @@ const BESIDE: f64 = 4e-3;
 
 /// A mark in a picture.
 struct Mark {
-    kind: HandleKind,
+    index: u8,
     point: DVec2,
     foot: Pos2,
     center: Pos2,
+}
+
+impl Mark {
+    fn kind(&self) -> HandleKind {
+        HandleKind::Mark(self.index)
+    }
 }
 
 /// The marks of a side, where they are asked for.
@@ -35,25 +41,25 @@ fn marks(side: Side, model: &Model, view: &View) -> Vec<Mark> {
     let (Some(marks), Some(domain)) = (model.marks(side), model.domain(side)) else { return Vec::new() };
     let samples = domain.samples();
     let at = |fraction: f64| samples.position(samples.at_fraction(fraction.rem_euclid(1.0)));
-    let mark = |(kind, fraction): (HandleKind, f64)| {
+    let mark = |(index, fraction): (u8, f64)| {
         let [before, after] = [fraction - BESIDE, fraction + BESIDE].map(|fraction| view.to_screen(at(fraction)));
         // counter-clockwise in the plane; on the screen y points down
         let along = (after - before).normalized();
         let foot = view.to_screen(at(fraction));
-        Mark { kind, point: at(fraction), foot, center: foot + OUTSIDE * vec2(-along.y, along.x) }
+        Mark { index, point: at(fraction), foot, center: foot + OUTSIDE * vec2(-along.y, along.x) }
     };
-    (0..).map(HandleKind::Mark).zip(marks).map(mark).collect()
+    (0..).zip(marks).map(mark).collect()
 }
 
 /// Where the squares of a side's marks are on the screen.
 pub fn places(side: Side, model: &Model, view: &View) -> Places {
-    marks(side, model, view).into_iter().map(|mark| (mark.kind, mark.center)).collect()
+    marks(side, model, view).into_iter().map(|mark| (mark.kind(), mark.center)).collect()
 }
 
 /// Lets the pointer hold a mark that it has just grabbed by its foot.
 pub fn hold_by_foot(side: Side, model: &Model, view: &View, handles: &mut HandleState) {
     let Some(grip) = handles.grip.as_mut().filter(|grip| grip.handle.side == side) else { return };
-    if let Some(mark) = marks(side, model, view).into_iter().find(|mark| mark.kind == grip.handle.kind) {
+    if let Some(mark) = marks(side, model, view).into_iter().find(|mark| mark.kind() == grip.handle.kind) {
         grip.offset += mark.foot - mark.center;
     }
 }
@@ -63,7 +69,7 @@ pub fn paint(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleSt
     let painter = ui.painter_at(view.rect);
     let palette = Palette::of(ui.visuals());
     for mark in marks(side, model, view) {
-        let handle = Handle { side, kind: mark.kind };
+        let handle = Handle { side, kind: mark.kind() };
         let half = if handles.is_raised(handle) { HALF + RAISED } else { HALF };
         square(&painter, &palette, &mark, half);
         if handles.focused == Some(handle) {
@@ -85,5 +91,5 @@ fn square(painter: &Painter, palette: &Palette, mark: &Mark, half: f32) {
     painter.line_segment([mark.foot, mark.center], edge);
     let square = Rect::from_center_size(mark.center, Vec2::splat(2.0 * half));
     painter.rect(square, CornerRadius::same(3), palette.canvas, edge, StrokeKind::Inside);
-    painter.text(mark.center, Align2::CENTER_CENTER, mark.kind.number(), bold(11.0), palette.text);
+    painter.text(mark.center, Align2::CENTER_CENTER, number(mark.index), bold(11.0), palette.text);
 }

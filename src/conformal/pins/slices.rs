@@ -138,6 +138,11 @@ impl Slices {
 
     /// A step that is not divided.
     fn whole(&self, compute: impl FnOnce() -> Step) -> Option<Step> {
+        self.step(|_| Some(compute()))
+    }
+
+    /// The kept result of the next step, or what `advance` makes of it; `None` if it is interrupted.
+    fn step(&self, advance: impl FnOnce(&mut State) -> Option<Step>) -> Option<Step> {
         let mut state = self.0.borrow_mut();
         if let Some(known) = state.replay() {
             return Some(known);
@@ -145,7 +150,7 @@ impl Slices {
         if !state.may_go_on() {
             return None;
         }
-        let step = compute();
+        let step = advance(&mut state)?;
         state.keep(step.clone());
         Some(step)
     }
@@ -157,32 +162,30 @@ impl Slices {
         x: BarycentricPoint,
         anchor: f64,
     ) -> Slice<HarmonicMeasure, NotConverged> {
-        let mut state = self.0.borrow_mut();
-        if let Some(Step::OnMesh(found)) = state.replay() {
-            return Some(found);
-        }
-        if !state.may_go_on() {
-            return None;
-        }
-        let (mut scratch, mut kernel) = state.kernel.take().unwrap_or_else(|| {
+        let begin = || {
             let mut scratch = Box::default();
             begin_kernel(side, x, &mut scratch);
             (scratch, Vec::new())
-        });
-        let found = match advance_kernel(side, x, &mut scratch, &mut kernel, state.deadline) {
-            Ok(true) => {
-                let mut measure = HarmonicMeasure::default();
-                measure.set_along(side.edge_lengths(), &kernel, side.at_fraction(anchor));
-                Ok(Arc::new(measure))
-            }
-            Ok(false) => {
-                (state.kernel, state.is_interrupted) = (Some((scratch, kernel)), true);
-                return None;
-            }
-            Err(error) => Err(error),
         };
-        state.keep(Step::OnMesh(found.clone()));
-        Some(found)
+        let advance = |state: &mut State| {
+            let (mut scratch, mut kernel) = state.kernel.take().unwrap_or_else(begin);
+            match advance_kernel(side, x, &mut scratch, &mut kernel, state.deadline) {
+                Ok(true) => {
+                    let mut measure = HarmonicMeasure::default();
+                    measure.set_along(side.edge_lengths(), &kernel, side.at_fraction(anchor));
+                    Some(Step::OnMesh(Ok(Arc::new(measure))))
+                }
+                Ok(false) => {
+                    (state.kernel, state.is_interrupted) = (Some((scratch, kernel)), true);
+                    None
+                }
+                Err(error) => Some(Step::OnMesh(Err(error))),
+            }
+        };
+        match self.step(advance)? {
+            Step::OnMesh(found) => Some(found),
+            _ => None,
+        }
     }
 
     /// The discrete harmonic functions with these boundary values, at all vertices.
@@ -191,28 +194,26 @@ impl Slices {
         side: &PreparedSide,
         boundary: impl Iterator<Item = DVec2>,
     ) -> Slice<Vec<DVec2>, NotConverged> {
-        let mut state = self.0.borrow_mut();
-        if let Some(Step::Functions(found)) = state.replay() {
-            return Some(found);
-        }
-        if !state.may_go_on() {
-            return None;
-        }
-        let (mut scratch, mut values) = state.extension.take().unwrap_or_else(|| {
+        let begin = || {
             let mut scratch = Box::default();
             side.begin_extension(boundary, &mut scratch);
             (scratch, Vec::new())
-        });
-        let found = match side.advance_extension(&mut scratch, &mut values, state.deadline) {
-            Ok(true) => Ok(Arc::new(values)),
-            Ok(false) => {
-                (state.extension, state.is_interrupted) = (Some((scratch, values)), true);
-                return None;
-            }
-            Err(error) => Err(error),
         };
-        state.keep(Step::Functions(found.clone()));
-        Some(found)
+        let advance = |state: &mut State| {
+            let (mut scratch, mut values) = state.extension.take().unwrap_or_else(begin);
+            match side.advance_extension(&mut scratch, &mut values, state.deadline) {
+                Ok(true) => Some(Step::Functions(Ok(Arc::new(values)))),
+                Ok(false) => {
+                    (state.extension, state.is_interrupted) = (Some((scratch, values)), true);
+                    None
+                }
+                Err(error) => Some(Step::Functions(Err(error))),
+            }
+        };
+        match self.step(advance)? {
+            Step::Functions(found) => Some(found),
+            _ => None,
+        }
     }
 }
 
