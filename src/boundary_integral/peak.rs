@@ -39,6 +39,20 @@ pub struct Peak {
     projection: Values,
 }
 
+/// A peak at one parameter.
+#[derive(Debug, Clone, Copy)]
+pub struct PeakAt {
+    t: f64,
+    /// The distance from x.
+    distance: f64,
+    /// |dz/dt|.
+    speed: f64,
+    /// g − g̃ by the parameter.
+    pub density: f64,
+    /// ∫ (g − g̃) from the panel's first parameter.
+    excess: f64,
+}
+
 /// The peaks of the panels near x, by panel.
 pub type Peaks = Vec<Option<Arc<Peak>>>;
 
@@ -136,28 +150,32 @@ impl Peak {
         &self.projection
     }
 
-    /// ∫ (g − g̃) from the panel's first parameter to `t`.
-    fn excess(&self, t: f64) -> f64 {
-        let ([start, middle], end) = (self.seen, self.place(t));
+    /// What the peak has at a parameter.
+    pub fn at(&self, t: f64) -> PeakAt {
+        let node = self.leg.node(t, 0.0);
+        let place = self.base + node.offset;
+        let [start, middle] = self.seen;
         // the panel bends by less than π/2 on either side of the peak
-        let seen = if t <= self.nearest { angle(start, end) } else { angle(start, middle) + angle(middle, end) };
-        self.rate * seen - series(&self.projection, self.xi(t)).1
+        let seen = if t <= self.nearest { angle(start, place) } else { angle(start, middle) + angle(middle, place) };
+        let (projected, integral) = series(&self.projection, self.xi(t));
+        let sharp = self.leg.length * kernel(node.normal, place);
+        PeakAt {
+            t,
+            distance: place.length(),
+            speed: self.leg.length * node.normal.length(),
+            density: sharp - projected * 2.0 / (self.to - self.from),
+            excess: self.rate * seen - integral,
+        }
     }
 
     /// ∫ (g − g̃) from one parameter to a larger one; in proportion to itself where they are near to each other.
-    pub fn between(&self, from: f64, to: f64) -> f64 {
-        let half = 0.5 * (to - from);
-        let speed = self.leg.length * self.leg.outward(from).length();
-        if 4.0 * half * speed > self.place(from).length() {
-            return self.excess(to) - self.excess(from);
+    pub fn between(&self, from: &PeakAt, to: &PeakAt) -> f64 {
+        let half = 0.5 * (to.t - from.t);
+        if 4.0 * half * from.speed > from.distance {
+            return to.excess - from.excess;
         }
         let rule = Rule::get();
-        rule.nodes.iter().zip(rule.weights).map(|(x, w)| half * w * self.density(from + half * (1.0 + x))).sum()
-    }
-
-    /// g − g̃ by the parameter.
-    pub fn density(&self, t: f64) -> f64 {
-        self.sharp(t) - series(&self.projection, self.xi(t)).0 * 2.0 / (self.to - self.from)
+        rule.nodes.iter().zip(rule.weights).map(|(x, w)| half * w * self.at(from.t + half * (1.0 + x)).density).sum()
     }
 }
 

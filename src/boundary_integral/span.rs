@@ -2,7 +2,7 @@
 
 use super::layout::End;
 use super::legendre::{Rule, Values, series};
-use super::peak::Peak;
+use super::peak::{Peak, PeakAt};
 use crate::geometry::CurvePoint;
 use std::sync::Arc;
 
@@ -15,8 +15,8 @@ pub struct Span {
     pub to: f64,
     pub measure: f64,
     shape: Shape,
-    /// What the density exceeds the shape by, next to the interior point.
-    peak: Option<Arc<Peak>>,
+    /// What the density exceeds the shape by, next to the interior point, and this at `from`.
+    peak: Option<(Arc<Peak>, PeakAt)>,
     rounding: Rounding,
 }
 
@@ -62,6 +62,8 @@ fn up_to(coefficients: &Values, u: f64) -> (f64, f64) {
 
 /// Steps of Newton's method, or bisections, to a place in a span.
 const MOST_STEPS: u32 = 100;
+/// A step of Newton's method, in shares of the place, after which the place is right to rounding.
+const LAST_STEP: f64 = 1e-9;
 
 impl Span {
     /// From the values of dω/dξ at the nodes.
@@ -114,8 +116,9 @@ impl Span {
     #[must_use]
     pub fn with_peak(mut self, peak: Option<&Arc<Peak>>) -> Self {
         if let (Some(peak), Shape::Series(_)) = (peak, &self.shape) {
-            self.measure += peak.between(self.from, self.to);
-            self.peak = Some(Arc::clone(peak));
+            let start = peak.at(self.from);
+            self.measure += peak.between(&start, &peak.at(self.to));
+            self.peak = Some((Arc::clone(peak), start));
         }
         self
     }
@@ -131,10 +134,10 @@ impl Span {
     /// dω/dξ at ξ = u − 1, and the measure up to there.
     fn up_to(&self, coefficients: &Values, u: f64) -> (f64, f64) {
         let (value, integral) = up_to(coefficients, u);
-        let Some(peak) = &self.peak else { return (value, integral) };
+        let Some((peak, start)) = &self.peak else { return (value, integral) };
         let half = 0.5 * (self.to - self.from);
-        let parameter = self.from + half * u;
-        (value + half * peak.density(parameter), integral + peak.between(self.from, parameter))
+        let here = peak.at(self.from + half * u);
+        (value + half * here.density, integral + peak.between(start, &here))
     }
 
     /// The first point, in the direction of the curve.
@@ -222,11 +225,16 @@ impl Span {
                 low = u;
             }
             let next = u - (below - near) / density;
-            let next = if next >= low && next <= high { next } else { 0.5 * (low + high) };
-            if (next - u).abs() <= f64::EPSILON * u {
-                break;
+            if next >= low && next <= high {
+                let step = (next - u).abs();
+                u = next;
+                // after that step the distance is its square
+                if step <= LAST_STEP * u {
+                    break;
+                }
+            } else {
+                u = 0.5 * (low + high);
             }
-            u = next;
         }
         self.from + 0.5 * (self.to - self.from) * u
     }

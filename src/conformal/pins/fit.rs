@@ -59,13 +59,9 @@ impl<'a> Fit<'a> {
         found.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(map, _)| map)
     }
 
-    fn positions(&self, omegas: impl Iterator<Item = f64>) -> Vec<DVec3> {
-        self.target.fractions(omegas).into_iter().map(|s| self.target.position(s)).collect()
-    }
-
     /// The misses of a map.
     fn misses(&self, map: &Moebius) -> Vec<DVec3> {
-        let images = self.positions(self.sources.iter().map(|&z| omega(map.apply(z))));
+        let images = self.target.positions(self.sources.iter().map(|&z| omega(map.apply(z))));
         images.into_iter().zip(&self.wanted).map(|(image, wanted)| image - wanted).collect()
     }
 
@@ -96,7 +92,7 @@ impl<'a> Fit<'a> {
     /// JᵀJ and Jᵀr of the misses r, by (turn, Re a, Im a) of [`Moebius::small`].
     fn normal_equations(&self, map: &Moebius, misses: &[DVec3]) -> (DMat3, DVec3) {
         let images: Vec<Complex64> = self.sources.iter().map(|&z| map.apply(z)).collect();
-        let shifted = |by: f64| self.positions(images.iter().map(|&z| omega(z) + by));
+        let shifted = |by: f64| self.target.positions(images.iter().map(|&z| omega(z) + by));
         let (mut matrix, mut gradient) = (DMat3::ZERO, DVec3::ZERO);
         for (((after, before), z), miss) in
             shifted(DIFFERENCE).into_iter().zip(shifted(-DIFFERENCE)).zip(&images).zip(misses)

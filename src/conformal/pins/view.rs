@@ -104,6 +104,28 @@ impl<'a> View<'a> {
         }
     }
 
+    /// The positions of the places with these measures, each taken modulo 1, from the anchor on.
+    pub fn positions(&self, omegas: impl IntoIterator<Item = f64>) -> Vec<DVec3> {
+        let omegas = omegas.into_iter().map(|omega| omega.rem_euclid(1.0));
+        match &self.measure {
+            Measure::Curve(boundary, measure) => {
+                let measure = measure.from_anchor(boundary.at_fraction(self.anchor));
+                omegas.map(|omega| boundary.curve().position(measure.point_at(omega)).extend(0.0)).collect()
+            }
+            Measure::Mesh(measure) => {
+                omegas.map(|omega| self.prepared.boundary_place(measure.point_at(omega))).collect()
+            }
+        }
+    }
+
+    /// An estimate of the error of measures along a curve; 0 on a mesh, whose measures are exactly those of its kernel.
+    pub fn error(&self) -> f64 {
+        match &self.measure {
+            Measure::Curve(_, measure) => measure.error_estimate(),
+            Measure::Mesh(_) => 0.0,
+        }
+    }
+
     /// The position of a place; the plane lies at z = 0.
     pub fn position(&self, s: f64) -> DVec3 {
         match &self.measure {
@@ -114,12 +136,11 @@ impl<'a> View<'a> {
 
     /// The derivatives of [`Self::arcs`] by the point, of a planar side: columns by x and y.
     pub fn derivative(&self, marks: [f64; 3]) -> DMat2 {
-        let places = self.fractions((0..PLACES).map(|k| f64::from(k) / f64::from(PLACES)));
+        let places = self.positions((0..PLACES).map(|k| f64::from(k) / f64::from(PLACES)));
         let expansion: Complex64 = places
             .into_iter()
             .zip(0u32..)
-            .map(|(s, k)| {
-                let place = self.position(s);
+            .map(|(place, k)| {
                 let turned = Complex64::from_polar(1.0 / f64::from(PLACES), -TAU * f64::from(k) / f64::from(PLACES));
                 turned * Complex64::new(place.x, place.y)
             })
