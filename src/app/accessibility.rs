@@ -8,11 +8,12 @@ use crate::app::input::handles::{Handle, HandleKind};
 use crate::app::language::words;
 use crate::app::panels::{best_panel, invariants_panel, pins_panel, quadrilateral_panel, symmetry_panel};
 use crate::app::status::pointed;
+use crate::app::viewport::best::significant;
 use crate::app::viewport::probe;
 use crate::conformal::{PerSide, Side};
 use crate::language::{key, number, say, tr};
 use crate::model::Model;
-use crate::model::best::Landscapes;
+use crate::model::best::{Landscapes, Marks};
 use crate::model::shape::Shape;
 use crate::session::{Colouring, TextureKind};
 use crate::worker::Number;
@@ -104,10 +105,9 @@ fn best(model: &Model) -> Option<String> {
     let best = model.best();
     let search = best.progress().map(|_| String::from(tr(key::best_sought())));
     let outcome = best.outcome().map(|outcome| say(&key::sentence(best_panel::said(outcome))));
-    let lowest = best
-        .landscape()
-        .and_then(Landscapes::lowest)
-        .map(|(at, value)| say(&key::accessible_landscape(number(at.x, 3), number(at.y, 3), number(value, 3))));
+    let lowest = best.landscape().and_then(Landscapes::marks).map(|Marks { lowest, values: [least, ..] }| {
+        say(&key::accessible_landscape(number(lowest.x, 3), number(lowest.y, 3), significant(least)))
+    });
     let sentences: Vec<String> = search.into_iter().chain(outcome).chain(lowest).collect();
     (!sentences.is_empty()).then(|| sentences.join(" "))
 }

@@ -115,9 +115,9 @@ fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangemen
     overlays::paint::show(ui, side, &app.model, view);
     if let Some(scale) = scale {
         legend::paint(ui, view.rect, scale, tight);
-    } else if let Some(values) = relief.and_then(Landscapes::quantiles) {
+    } else if let Some(marks) = relief.and_then(Landscapes::marks) {
         let title = tr(best_panel::criterion(app.model.best().aim()));
-        let values = values.map(best::significant);
+        let values = marks.values.map(best::significant);
         legend::paint_ranks(ui, view.rect, title, best::LANDSCAPE_COLORS, &values, tight);
     }
     title

@@ -39,6 +39,18 @@ pub enum Criterion {
     Symmetry(Arc<SharedSymmetries>),
 }
 
+/// Of one map: the criterion, and what a search minimizes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Value {
+    pub criterion: f64,
+    pub objective: f64,
+}
+
+impl Value {
+    /// Where there is no map.
+    pub const NONE: Self = Self { criterion: f64::INFINITY, objective: f64::INFINITY };
+}
+
 impl Criterion {
     /// The name, as on the command line.
     pub const fn name(&self) -> &'static str {

@@ -8,6 +8,7 @@
 //! the map up to their error (1 % with the usual meshes), which is why the best map is measured as a whole.
 
 use super::chart::Chart;
+use super::criterion::Value;
 use super::statistics::{Scales, thinned};
 use super::symmetry::Images;
 use super::{Criterion, SharedSymmetries};
@@ -115,8 +116,8 @@ impl Family {
         Nodes { weight: all.iter().map(|node| node.weight).sum(), all, scales: Scales::default() }
     }
 
-    /// The criterion for the map with T from the source's disk onto the target's; infinite where it has none.
-    pub fn value(&self, nodes: &mut Nodes, map: &Moebius) -> f64 {
+    /// The criterion for the map with T from the source's disk onto the target's.
+    pub fn value(&self, nodes: &mut Nodes, map: &Moebius) -> Value {
         let map = if self.side == Side::Source { *map } else { map.inverse() };
         let other = &self.charts[self.side.other()];
         nodes.scales.clear();
@@ -126,7 +127,7 @@ impl Family {
                 node.near = other.middle();
                 missing += node.weight;
                 if missing > most_missing {
-                    return f64::INFINITY;
+                    return Value::NONE;
                 }
                 nodes.scales.miss(node.weight);
                 continue;
@@ -134,8 +135,12 @@ impl Family {
             node.near = found.triangle();
             nodes.scales.push(node.scale(&map) - other.scale(found), node.weight);
         }
-        let value = self.criterion.of(&mut nodes.scales).unwrap_or(f64::INFINITY);
-        value + self.criterion.symmetries().map_or(0.0, |shared| mismatch(shared, &mut nodes.all, other, &map))
+        let of_scales = self.criterion.of(&mut nodes.scales).unwrap_or(f64::INFINITY);
+        let Some(shared) = self.criterion.symmetries() else {
+            return Value { criterion: of_scales, objective: of_scales };
+        };
+        let mismatch = mismatch(shared, &mut nodes.all, other, &map);
+        Value { criterion: mismatch, objective: mismatch + of_scales }
     }
 
     /// T of the map with these constraints; `None` if a point is not inside of its side's mesh.

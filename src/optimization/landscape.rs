@@ -1,9 +1,13 @@
 //! The criterion as a function of x₁, all else fixed: what a drag of x₁ would give.
 //!
 //! Values are those of the closed form at the vertices of a planar source's mesh, in the order of the mesh, infinite on the
-//! boundary; between them they are linear.
+//! boundary; between them they are linear. They are summed over a few triangles, which is enough to tell places apart. Those
+//! that are said in numbers, of the best place, which lies between vertices, of the middle and of the worst one, are summed
+//! over many, and are those of the maps there up to a hundredth.
 
 use super::chart::Chart;
+use super::compass::Compass;
+use super::criterion::Value;
 use super::family::{Family, Nodes};
 use super::{Criterion, OptimizeError};
 use crate::conformal::{Constraints, MapError, MeshedDomain, PerSide, PreparedSide, Side};
@@ -11,8 +15,12 @@ use crate::geometry::DVec2;
 use crate::laplace::Deadline;
 use std::sync::Arc;
 
-/// Triangles that stand for all.
+/// Triangles that stand for all: for every vertex, and for places that are said in numbers.
 const FEW: usize = 300;
+const MANY: usize = 5000;
+
+/// The last step of the search for the best place, in steps at first.
+const SMALL: f64 = 0.02;
 
 /// The criterion over a planar source.
 #[derive(Debug)]
@@ -22,6 +30,28 @@ pub struct Landscape {
     constraints: Constraints,
     domain: Arc<MeshedDomain>,
     values: Vec<f64>,
+    stage: Stage,
+}
+
+/// What is computed next.
+#[derive(Debug)]
+enum Stage {
+    /// Values at vertices; of the best one so far what a search minimizes, and its index.
+    Vertices(Option<(f64, usize)>),
+    /// The best place near the best vertex; the criterion at the best one so far.
+    Lowest(Compass, f64),
+    /// Nothing; without marks if no place has a map.
+    Done(Option<Marks>),
+}
+
+/// The best place, and the values there, in the middle of the order of all vertices, and at the worst one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Marks {
+    /// The best place: that of the least value, except among maps that keep symmetries almost equally well, of which that
+    /// with the most even areas is best.
+    pub lowest: DVec2,
+    /// The values.
+    pub values: [f64; 3],
 }
 
 impl Landscape {
@@ -42,16 +72,17 @@ impl Landscape {
             return Err(OptimizeError::EmptyRegion);
         }
         let values = vec![f64::INFINITY; sides.source.boundary_count()];
-        Ok(Self { family, nodes, constraints, domain: Arc::clone(domain), values })
+        Ok(Self { family, nodes, constraints, domain: Arc::clone(domain), values, stage: Stage::Vertices(None) })
     }
 
     /// Continues until all values are there (true) or the deadline has passed; computes at least one.
     pub fn advance(&mut self, deadline: Deadline) -> bool {
-        let vertices = self.domain.mesh().vertices();
-        while let Some(&x) = vertices.get(self.values.len()) {
-            let at = self.constraints.with_point(Side::Source, x);
-            let value = self.family.moebius(&at).map(|map| self.family.value(&mut self.nodes, &map));
-            self.values.push(value.unwrap_or(f64::INFINITY));
+        while !self.is_complete() {
+            self.stage = match std::mem::replace(&mut self.stage, Stage::Done(None)) {
+                Stage::Vertices(best) => self.add_vertex(best),
+                Stage::Lowest(compass, value) => self.descend(compass, value),
+                done @ Stage::Done(_) => done,
+            };
             if deadline.is_over() {
                 break;
             }
@@ -59,9 +90,58 @@ impl Landscape {
         self.is_complete()
     }
 
+    fn value(&mut self, x: DVec2) -> Value {
+        let at = self.constraints.with_point(Side::Source, x);
+        self.family.moebius(&at).map_or(Value::NONE, |map| self.family.value(&mut self.nodes, &map))
+    }
+
+    fn add_vertex(&mut self, best: Option<(f64, usize)>) -> Stage {
+        let vertex = self.values.len();
+        let Some(&x) = self.domain.mesh().vertices().get(vertex) else {
+            let Some((_, vertex)) = best else { return Stage::Done(None) };
+            self.nodes = self.family.nodes(MANY);
+            let step = self.reach(vertex);
+            let compass = Compass::new(self.domain.mesh().vertices()[vertex], step, SMALL * step);
+            return Stage::Lowest(compass, f64::INFINITY);
+        };
+        let value = self.value(x);
+        self.values.push(value.criterion);
+        let is_better = value.objective < best.map_or(f64::INFINITY, |(least, _)| least);
+        Stage::Vertices(if is_better { Some((value.objective, vertex)) } else { best })
+    }
+
+    /// The length of the longest edge at a vertex.
+    fn reach(&self, vertex: usize) -> f64 {
+        let mesh = self.domain.mesh();
+        let around = mesh.triangles().iter().filter(|corners| corners.iter().any(|&v| v as usize == vertex));
+        let lengths = around.flatten().map(|&v| mesh.vertices()[v as usize].distance(mesh.vertices()[vertex]));
+        lengths.fold(0.0, f64::max)
+    }
+
+    fn descend(&mut self, mut compass: Compass, least: f64) -> Stage {
+        if let Some(x) = compass.question() {
+            let value = self.value(x);
+            let is_best = compass.answer(value.objective);
+            return Stage::Lowest(compass, if is_best { value.criterion } else { least });
+        }
+        let mut order: Vec<usize> = (0..self.values.len()).filter(|&v| self.values[v].is_finite()).collect();
+        order.sort_by(|&a, &b| self.values[a].total_cmp(&self.values[b]));
+        let [middle, worst] = [(order.len() - 1) / 2, order.len() - 1].map(|k| {
+            let vertex = order[k];
+            let exact = self.value(self.domain.mesh().vertices()[vertex]).criterion;
+            if exact.is_finite() { exact } else { self.values[vertex] }
+        });
+        Stage::Done(Some(Marks { lowest: compass.best(), values: [least, middle, worst] }))
+    }
+
     /// Whether all values are there.
     pub fn is_complete(&self) -> bool {
-        self.values.len() == self.domain.mesh().vertices().len()
+        matches!(self.stage, Stage::Done(_))
+    }
+
+    /// The best place and values in numbers; `None` before they are there, and if no place has a map.
+    pub fn marks(&self) -> Option<Marks> {
+        if let Stage::Done(marks) = self.stage { marks } else { None }
     }
 
     /// The source whose vertices the values belong to.
@@ -72,12 +152,6 @@ impl Landscape {
     /// The values so far.
     pub fn values(&self) -> &[f64] {
         &self.values
-    }
-
-    /// The place of the least value so far, and that value.
-    pub fn lowest(&self) -> Option<(DVec2, f64)> {
-        let known = self.domain.mesh().vertices().iter().copied().zip(self.values.iter().copied());
-        known.filter(|(_, value)| value.is_finite()).min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     /// The level line at a finite value, as segments, one for each triangle that it crosses. None before all values are there.

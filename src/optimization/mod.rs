@@ -10,11 +10,13 @@
 //! | `chart` | a side in the unit disk, with the scale of its map there |
 //! | `family` | T ↔ constraints, and the criterion of T in closed form |
 //! | `simplex`, `descent` | the downhill simplex, and over Möbius maps |
+//! | `compass` | the compass search in the plane |
 //! | `search` | scan, descents, polish, in steps with a deadline |
 //! | `landscape` | the criterion as a function of x₁ |
 //! | `region`, `statistics`, `symmetry` | where, and of what |
 
 mod chart;
+mod compass;
 mod criterion;
 mod descent;
 mod family;
@@ -27,7 +29,7 @@ mod symmetry;
 
 use crate::conformal::MapError;
 pub use criterion::Criterion;
-pub use landscape::Landscape;
+pub use landscape::{Landscape, Marks};
 pub use region::{Dab, MOST_DABS, MOST_POLYGONS, Region};
 pub use search::{Found, Least, Optimization};
 pub use symmetry::SharedSymmetries;

@@ -10,6 +10,7 @@
 //! for bit, however it is divided into steps. Not guaranteed: that no better map exists where the scan has no place near it.
 
 use super::chart::Chart;
+use super::criterion::Value;
 use super::descent::{Descent, Descents, MOST_DESCENT};
 use super::family::{Family, Nodes, Staying};
 use super::{Criterion, OptimizeError};
@@ -98,14 +99,14 @@ struct Comparison {
     best: (f64, Moebius),
 }
 
-/// A value of a search that is less than those before it.
+/// A map of a search that is better than those before it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Least {
     /// How often the criterion was computed before.
     pub evaluations: usize,
-    /// The value.
+    /// The criterion.
     pub value: f64,
-    /// Whether it is that of a map itself, or else in closed form.
+    /// Whether it is that of the map itself, or else in closed form.
     pub is_measured: bool,
 }
 
@@ -124,7 +125,7 @@ pub struct Optimization {
     found: Option<Found>,
     evaluations: usize,
     course: Vec<Least>,
-    /// The least value since closed form or measurement began.
+    /// What is minimized, of the best map since closed form or measurement began.
     least: f64,
 }
 
@@ -180,8 +181,9 @@ impl Optimization {
         self.evaluations
     }
 
-    /// The least value so far, each time that it fell: of the start's map, then in closed form, then of the maps themselves,
-    /// where it may rise by the error of the closed form.
+    /// The criterion of the best map so far, each time that a better one was found: of the start's map, then in closed form,
+    /// then of the maps themselves, where it may rise by the error of the closed form. Among maps that keep symmetries almost
+    /// equally well, one with more even areas is better though its mismatch is a little larger.
     pub fn course(&self) -> &[Least] {
         &self.course
     }
@@ -249,7 +251,7 @@ impl Optimization {
         let value = self.criterion.measure(&self.map).ok_or(OptimizeError::EmptyRegion)?;
         let objective = self.criterion.objective(value, &self.map);
         self.found = Some(Found { constraints: self.start, before: value, after: value, objective });
-        self.note(objective, true);
+        self.note(Value { criterion: value, objective }, true);
         Ok(Stage::Chart(None))
     }
 
@@ -269,7 +271,6 @@ impl Optimization {
     fn scan(&mut self, mut scan: Scan) -> Stage {
         if let Some(map) = scan.coming.pop_front() {
             let value = self.closed_form(&map);
-            self.note(value, false);
             scan.tried.push((value, map));
             return Stage::Scan(scan);
         }
@@ -306,7 +307,6 @@ impl Optimization {
     fn advance_descents(&mut self, descents: &mut Descents, step: f64) -> bool {
         if let Some(map) = descents.now.question(MOST_DESCENT) {
             let value = self.closed_form(&map);
-            self.note(value, false);
             descents.now.answer(value);
             return true;
         }
@@ -375,9 +375,12 @@ impl Optimization {
         Stage::Keep(coming)
     }
 
+    /// What is minimized, in closed form; infinite where there is no map.
     fn closed_form(&mut self, map: &Moebius) -> f64 {
+        let value = self.family.as_mut().map_or(Value::NONE, |(family, nodes)| family.value(nodes, map));
         self.evaluations += 1;
-        self.family.as_mut().map_or(f64::INFINITY, |(family, nodes)| family.value(nodes, map))
+        self.note(value, false);
+        value.objective
     }
 
     /// What is minimized, of the map with these constraints; infinite where there is none; `None` if the deadline comes first.
@@ -388,7 +391,7 @@ impl Optimization {
             Err(_) => f64::INFINITY,
         };
         let objective = if value.is_finite() { self.criterion.objective(value, &self.map) } else { value };
-        self.note(objective, true);
+        self.note(Value { criterion: value, objective }, true);
         self.evaluations += 1;
         if let Some(found) = self.found.as_mut().filter(|found| objective < found.objective) {
             (found.constraints, found.after, found.objective) = (*constraints, value, objective);
@@ -396,10 +399,10 @@ impl Optimization {
         Some(objective)
     }
 
-    fn note(&mut self, value: f64, is_measured: bool) {
-        if value < self.least {
-            self.least = value;
-            self.course.push(Least { evaluations: self.evaluations, value, is_measured });
+    fn note(&mut self, value: Value, is_measured: bool) {
+        if value.objective < self.least {
+            self.least = value.objective;
+            self.course.push(Least { evaluations: self.evaluations, value: value.criterion, is_measured });
         }
     }
 }

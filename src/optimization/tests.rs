@@ -2,9 +2,9 @@
 
 use super::*;
 use crate::conformal::{
-    ConformalMap, Constraints, Direction, MapSettings, PerSide, PrepareSettings, PreparedSide, prepare,
+    ConformalMap, Constraints, Direction, MapSettings, PerSide, PrepareSettings, PreparedSide, Side, prepare,
 };
-use crate::geometry::{DVec2, SimplePolygon};
+use crate::geometry::{DVec2, SimplePolygon, Symmetries};
 use crate::laplace::Deadline;
 use crate::outline::Preset;
 use std::sync::Arc;
@@ -91,14 +91,14 @@ fn the_best_map_of_an_ellipse_onto_a_disk_is_that_from_its_center() {
 fn the_landscape_is_lowest_where_the_best_map_has_its_point() {
     let sides = PerSide::new(ellipse(), prepared(Preset::Disk));
     let start = Constraints::new((DVec2::new(1.2, 0.3), 0.1), (plane(&sides.target), 0.4));
-    let mut landscape = Landscape::new(&sides, Criterion::Area, start, crate::conformal::Side::Source).unwrap();
+    let mut landscape = Landscape::new(&sides, Criterion::Area, start, Side::Source).unwrap();
     while !landscape.advance(Deadline::in_ms(1.0)) {}
-    let (lowest, least) = landscape.lowest().unwrap();
-    assert!(lowest.length() < 0.2, "{lowest}");
+    let Marks { lowest, values: [least, ..] } = landscape.marks().unwrap();
+    assert!(lowest.length() < 0.05, "{lowest}");
     let vertices = landscape.domain().mesh().vertices();
     let inner = vertices.iter().zip(landscape.values()).filter(|(x, _)| x.length() < 0.5).step_by(50);
     for (&x, &value) in inner {
-        let at = start.with_point(crate::conformal::Side::Source, x);
+        let at = start.with_point(Side::Source, x);
         let [source, target] = [&sides.source, &sides.target].map(Arc::clone);
         let map = ConformalMap::new(source, target, &at, MapSettings::from(Direction::Forward)).unwrap();
         let measured = Criterion::Area.measure(&map).unwrap();
@@ -107,4 +107,42 @@ fn the_landscape_is_lowest_where_the_best_map_has_its_point() {
     let line = landscape.level_line(1.5 * least);
     let ends = |x: DVec2| line.iter().flatten().filter(|y| y.distance(x) < 1e-12).count();
     assert!(line.len() > 20 && line.iter().all(|[a, b]| ends(*a) == 2 && ends(*b) == 2), "a closed line");
+}
+
+/// The search and the landscape over x₁ with the other points of its result say the same of the same map, though the one is
+/// of the map itself and the other in closed form.
+#[test]
+fn the_landscape_s_least_value_is_that_of_the_best_map() {
+    for (presets, criterion, most) in [
+        ([Preset::Gingerbread, Preset::Heart], Criterion::Area, 0.01),
+        ([Preset::LShape, Preset::Star], Criterion::Area, 0.01),
+        ([Preset::Heart, Preset::Disk], Criterion::Scale, 0.03),
+    ] {
+        let sides = PerSide::from(presets.map(prepared));
+        let start = Constraints::new((sides.source.default_point(), 0.0), (sides.target.default_point(), 0.0));
+        let found = optimized(&sides, criterion.clone(), start, Direction::Forward);
+        let mut landscape = Landscape::new(&sides, criterion, found.constraints, Side::Source).unwrap();
+        assert!(landscape.advance(Deadline::NEVER));
+        let Marks { lowest, values: [least, middle, worst] } = landscape.marks().unwrap();
+        println!("{presets:?}: {least} at {lowest}");
+        assert!((least - found.after).abs() < most * found.after, "{least}, but {found:?}");
+        assert!(least < middle && middle < worst);
+    }
+}
+
+/// A search whose criterion is not what it minimizes: its course is of the criterion all the same.
+#[test]
+fn the_course_of_a_search_by_symmetry_goes_from_the_first_mismatch_to_the_last() {
+    let presets = [Preset::Heart, Preset::Disk];
+    let symmetries = PerSide::from(presets.map(|preset| Symmetries::of(preset.outline().polygon())));
+    let criterion = Criterion::Symmetry(Arc::new(SharedSymmetries::new(&symmetries).unwrap()));
+    let sides = PerSide::from(presets.map(prepared));
+    let x1 = plane(&sides.source) + DVec2::new(0.1, 0.05);
+    let start = Constraints::new((x1, 0.1), (plane(&sides.target), 0.0));
+    let mut search = Optimization::new(sides, criterion, start, Direction::Forward.into());
+    assert!(search.advance(Deadline::NEVER).unwrap());
+    let (found, course) = (search.found().unwrap(), search.course());
+    let [first, last] = [course.first(), course.last()].map(|each| each.unwrap().value);
+    assert_eq!(first, found.before);
+    assert!((last - found.after).abs() < 1e-5 && found.after < 0.05 * found.before, "{last}, {found:?}");
 }

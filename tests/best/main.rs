@@ -16,7 +16,7 @@ mod through_disk;
 use riemap::conformal::{ConformalMap, Constraints, Direction, PerSide, PrepareSettings, PreparedSide};
 use riemap::geometry::{DVec2, Symmetries};
 use riemap::laplace::Deadline;
-use riemap::optimization::{Criterion, Dab, Found, Optimization, OptimizeError, Region, SharedSymmetries};
+use riemap::optimization::{Criterion, Dab, Found, Least, Optimization, OptimizeError, Region, SharedSymmetries};
 use riemap::outline::{Preset, Sampling};
 use std::sync::Arc;
 use std::time::Instant;
@@ -54,7 +54,15 @@ fn search(
         begin.elapsed().as_secs_f64() * 1e3,
         found.constraints
     );
+    assert_course_leads_to(&found, search.course());
     Ok((found, search.evaluations()))
+}
+
+/// The course begins with the criterion of the start and ends with that of the result, up to what boundary points that stay
+/// may cost.
+fn assert_course_leads_to(found: &Found, course: &[Least]) {
+    let [first, last] = [course.first(), course.last()].map(|each| each.unwrap().value);
+    assert!(first == found.before && (last - found.after).abs() <= 1e-3 * found.after + 1e-6, "{found:?}, {last}");
 }
 
 fn best(sides: &PerSide<Arc<PreparedSide>>, criterion: Criterion, start: &Constraints, direction: Direction) -> Found {

@@ -157,13 +157,13 @@ fn paint_landscape(ui: &Ui, model: &Model, view: &View) {
             painter.line_segment(ends, Stroke::new(1.0, Color32::from_white_alpha(150)));
         }
     }
-    if let Some((lowest, value)) = landscape.lowest() {
-        let at = view.to_screen(lowest);
+    if let Some(marks) = landscape.marks() {
+        let at = view.to_screen(marks.lowest);
         for (width, ink) in [(4.0, Color32::from_black_alpha(150)), (2.0, Color32::WHITE)] {
             painter.line_segment([at - egui::vec2(7.0, 0.0), at + egui::vec2(7.0, 0.0)], Stroke::new(width, ink));
             painter.line_segment([at - egui::vec2(0.0, 7.0), at + egui::vec2(0.0, 7.0)], Stroke::new(width, ink));
         }
-        let words = say(&key::lowest_of_landscape(significant(value)));
+        let words = say(&key::lowest_of_landscape(significant(marks.values[0])));
         paint_words_beside(ui, &painter, words, Rect::from_center_size(at, Vec2::splat(14.0)), &obstacles(model, view));
     }
 }
@@ -174,10 +174,10 @@ fn obstacles(model: &Model, view: &View) -> Vec<Pos2> {
     dots.flat_map(|dot| [-2.0, 0.0, 2.0].map(|steps| dot + Vec2::new(0.0, steps * GRAB_RADIUS))).collect()
 }
 
-/// A value of a criterion in about three digits.
+/// A value of a criterion in about three digits: mismatches of symmetry are a ten-thousandth.
 pub fn significant(value: f64) -> String {
     let digits = 2.0 - value.abs().max(f64::MIN_POSITIVE).log10().floor();
-    number(value, digits.clamp(0.0, 3.0) as usize)
+    number(value, digits.clamp(0.0, 6.0) as usize)
 }
 
 /// The mesh with a color for each rank: dark where the criterion is least.

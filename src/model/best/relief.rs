@@ -9,7 +9,7 @@ use crate::conformal::{ConformalMap, Constraints, Direction, MeshedDomain, Side}
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;
 use crate::model::Model;
-use crate::optimization::{Criterion, Landscape, OptimizeError};
+use crate::optimization::{Criterion, Landscape, Marks, OptimizeError};
 
 /// Level lines, at equal steps of rank: a twelfth of the vertices lies between two of them.
 const LEVELS: usize = 11;
@@ -29,8 +29,6 @@ pub struct Landscapes {
     landscape: Landscape,
     ranks: Vec<f32>,
     levels: Vec<Level>,
-    /// The least, the middle and the largest finite value.
-    quantiles: Option<[f64; 3]>,
 }
 
 impl Landscapes {
@@ -42,10 +40,7 @@ impl Landscapes {
         let ranks = landscape.values().iter().map(rank).collect();
         let level = |k: usize| sorted.get(k * sorted.len() / (LEVELS + 1)).copied();
         let levels = (1..=LEVELS).filter_map(level).map(|value| Level { value, line: landscape.level_line(value) });
-        let quantile = |k: usize| sorted.get(k * sorted.len().saturating_sub(1) / 2).copied();
-        let quantiles =
-            quantile(0).zip(quantile(1)).zip(quantile(2)).map(|((least, middle), most)| [least, middle, most]);
-        Self { levels: levels.collect(), ranks, quantiles, landscape }
+        Self { levels: levels.collect(), ranks, landscape }
     }
 
     /// The source whose vertices the ranks belong to.
@@ -58,19 +53,14 @@ impl Landscapes {
         &self.ranks
     }
 
-    /// The values with the ranks 0, ½ and 1; `None` if no value is finite.
-    pub fn quantiles(&self) -> Option<[f64; 3]> {
-        self.quantiles
+    /// The best place, and the values that are said in numbers; `None` if no place has one.
+    pub fn marks(&self) -> Option<Marks> {
+        self.landscape.marks()
     }
 
     /// Level lines, from below.
     pub fn levels(&self) -> &[Level] {
         &self.levels
-    }
-
-    /// The place of the least value, and that value.
-    pub fn lowest(&self) -> Option<(DVec2, f64)> {
-        self.landscape.lowest()
     }
 }
 

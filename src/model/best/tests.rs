@@ -192,17 +192,17 @@ fn the_landscape_stays_while_its_point_moves_and_follows_the_rest() {
     let mut model = model([]);
     model.act_on_best(BestAction::Landscape(true));
     run(&mut model, false);
-    let lowest = |model: &Model| model.best().landscape().unwrap().lowest().unwrap();
-    let (place, _) = lowest(&model);
+    let lowest = |model: &Model| model.best().landscape().unwrap().marks().unwrap().lowest;
+    let place = lowest(&model);
     let landscape = model.best().landscape().unwrap();
     assert!(landscape.levels().len() > 5 && landscape.ranks().iter().all(|rank| (0.0..=1.0).contains(rank)));
     model.dispatch(Command::MoveInterior { side: Side::Source, point: place.into() }, 0.0);
     rest(&mut model);
-    assert!(!model.advance_best(0.0, false).1 && lowest(&model).0 == place, "x₁ is not part of it");
+    assert!(!model.advance_best(0.0, false).1 && lowest(&model) == place, "x₁ is not part of it");
     let x2 = model.interior(Side::Target).unwrap() + crate::geometry::DVec2::new(0.4, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Target, point: x2.into() }, 0.0);
     rest(&mut model);
     assert!(model.advance_best(0.0, false).1, "x₂ is");
     run(&mut model, false);
-    assert_ne!(lowest(&model).0, place);
+    assert_ne!(lowest(&model), place);
 }
