@@ -8,10 +8,9 @@ use crate::app::input::handles::{Handle, HandleKind};
 use crate::app::language::words;
 use crate::app::panels::{best_panel, invariants_panel, pins_panel, quadrilateral_panel, symmetry_panel};
 use crate::app::status::pointed;
-use crate::app::viewport::best::significant;
 use crate::app::viewport::probe;
 use crate::conformal::{PerSide, Side};
-use crate::language::{key, number, say, tr};
+use crate::language::{key, number, say, significant, tr};
 use crate::model::Model;
 use crate::model::best::{Landscapes, Marks};
 use crate::model::shape::Shape;
@@ -105,8 +104,8 @@ fn best(model: &Model) -> Option<String> {
     let best = model.best();
     let search = best.progress().map(|_| String::from(tr(key::best_sought())));
     let outcome = best.outcome().map(|outcome| say(&key::sentence(best_panel::said(outcome))));
-    let lowest = best.landscape().and_then(Landscapes::marks).map(|Marks { lowest, values: [least, ..] }| {
-        say(&key::accessible_landscape(number(lowest.x, 3), number(lowest.y, 3), significant(least)))
+    let lowest = best.landscape().and_then(Landscapes::marks).map(|Marks { lowest, least, .. }| {
+        say(&key::accessible_landscape(number(lowest.x, 3), number(lowest.y, 3), significant(least, 3)))
     });
     let sentences: Vec<String> = search.into_iter().chain(outcome).chain(lowest).collect();
     (!sentences.is_empty()).then(|| sentences.join(" "))

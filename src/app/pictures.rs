@@ -12,7 +12,7 @@ use crate::app::panels::{best_panel, header, sign_legend};
 use crate::app::viewport::{best, legend, planar, probe};
 use crate::app::{message_bar, overlays};
 use crate::conformal::Side;
-use crate::language::tr;
+use crate::language::{significant, tr};
 use crate::model::best::Landscapes;
 use crate::render::{Pace, TextureStyle};
 use egui::{Stroke, Ui, UiBuilder};
@@ -117,7 +117,7 @@ fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangemen
         legend::paint(ui, view.rect, scale, tight);
     } else if let Some(marks) = relief.and_then(Landscapes::marks) {
         let title = tr(best_panel::criterion(app.model.best().aim()));
-        let values = marks.values.map(best::significant);
+        let values = [marks.least, marks.middle, marks.worst].map(|value| significant(value, 3));
         legend::paint_ranks(ui, view.rect, title, best::LANDSCAPE_COLORS, &values, tight);
     }
     title

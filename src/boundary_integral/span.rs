@@ -62,7 +62,7 @@ fn up_to(coefficients: &Values, u: f64) -> (f64, f64) {
 
 /// Steps of Newton's method, or bisections, to a place in a span.
 const MOST_STEPS: u32 = 100;
-/// A step of Newton's method, in shares of the place, after which the place is right to rounding.
+/// A step of Newton's method after which the place is right to rounding, in shares of place and measure.
 const LAST_STEP: f64 = 1e-9;
 
 impl Span {
@@ -224,16 +224,14 @@ impl Span {
             } else {
                 low = u;
             }
-            let next = u - (below - near) / density;
-            if next >= low && next <= high {
-                let step = (next - u).abs();
-                u = next;
-                // after that step the distance is its square
-                if step <= LAST_STEP * u {
-                    break;
-                }
-            } else {
-                u = 0.5 * (low + high);
+            let (before, newton) = (u, u - (below - near) / density);
+            let is_newton = newton >= low && newton <= high;
+            u = if is_newton { newton } else { 0.5 * (low + high) };
+            let step = (u - before).abs();
+            // Newton's step leaves the square of a small difference, if the measure differs as little: a peak is narrow
+            let is_last = is_newton && step <= LAST_STEP * u && (below - near).abs() <= LAST_STEP * near;
+            if is_last || step <= f64::EPSILON * u {
+                break;
             }
         }
         self.from + 0.5 * (self.to - self.from) * u

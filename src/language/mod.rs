@@ -23,7 +23,7 @@ pub use names::{preset, side_heading, surface_preset};
 #[cfg(feature = "app")]
 mod words;
 #[cfg(feature = "app")]
-pub use words::{Language, current, decimal, number, say, set, tr};
+pub use words::{Language, current, decimal, number, say, set, significant, tr};
 
 #[cfg(all(test, feature = "app"))]
 #[allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests")]

@@ -175,6 +175,18 @@ pub fn number(value: f64, digits: usize) -> String {
     current().decimal(&format!("{value:.digits$}"))
 }
 
+/// A positive number with this many digits, with an exponent if it is small or large.
+pub fn significant(value: f64, digits: usize) -> String {
+    if (1e-3..1e5).contains(&value) {
+        let before = value.log10().floor() as i32;
+        number(value, (digits as i32 - before - 1).clamp(0, 15) as usize)
+    } else if value == 0.0 {
+        number(0.0, 0)
+    } else {
+        decimal(&format!("{value:.*e}", digits.saturating_sub(1)))
+    }
+}
+
 /// A number with a decimal point, as people read it in the current language.
 pub fn decimal(text: &str) -> String {
     current().decimal(text)

@@ -3,7 +3,8 @@
 //! Values are those of the closed form at the vertices of a planar source's mesh, in the order of the mesh, infinite on the
 //! boundary; between them they are linear. They are summed over a few triangles, which is enough to tell places apart. Those
 //! that are said in numbers, of the best place, which lies between vertices, of the middle and of the worst one, are summed
-//! over many, and are those of the maps there up to a hundredth.
+//! over many, and are those of the maps there up to about a hundredth. Among maps that keep symmetries almost equally well the
+//! best place is that of the most even areas.
 
 use super::chart::Chart;
 use super::compass::Compass;
@@ -15,9 +16,11 @@ use crate::geometry::DVec2;
 use crate::laplace::Deadline;
 use std::sync::Arc;
 
-/// Triangles that stand for all: for every vertex, and for places that are said in numbers.
+/// Triangles that stand for all: for every vertex, and for places that are said in numbers; for symmetries, each of them is
+/// moved by all.
 const FEW: usize = 300;
 const MANY: usize = 5000;
+const MANY_MOVED: usize = 600;
 
 /// The last step of the search for the best place, in steps at first.
 const SMALL: f64 = 0.02;
@@ -27,6 +30,7 @@ const SMALL: f64 = 0.02;
 pub struct Landscape {
     family: Family,
     nodes: Nodes,
+    many: usize,
     constraints: Constraints,
     domain: Arc<MeshedDomain>,
     values: Vec<f64>,
@@ -40,18 +44,25 @@ enum Stage {
     Vertices(Option<(f64, usize)>),
     /// The best place near the best vertex; the criterion at the best one so far.
     Lowest(Compass, f64),
+    /// The value in the middle of all.
+    Middle(Marks),
+    /// The worst value.
+    Worst(Marks),
     /// Nothing; without marks if no place has a map.
     Done(Option<Marks>),
 }
 
-/// The best place, and the values there, in the middle of the order of all vertices, and at the worst one.
+/// What is said in numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Marks {
-    /// The best place: that of the least value, except among maps that keep symmetries almost equally well, of which that
-    /// with the most even areas is best.
+    /// The best place.
     pub lowest: DVec2,
-    /// The values.
-    pub values: [f64; 3],
+    /// The value there.
+    pub least: f64,
+    /// The value at the vertex in the middle of the order of values.
+    pub middle: f64,
+    /// The value at the last vertex in this order.
+    pub worst: f64,
 }
 
 impl Landscape {
@@ -66,21 +77,24 @@ impl Landscape {
     ) -> Result<Self, OptimizeError> {
         let domain = sides.source.domain().ok_or(MapError::OtherKind { side: Side::Source })?;
         let charts = PerSide::new(Chart::new(Side::Source, &sides.source)?, Chart::new(Side::Target, &sides.target)?);
+        let many = if criterion.symmetries().is_some() { MANY_MOVED } else { MANY };
         let family = Family::new(charts, criterion, mapped);
         let nodes = family.nodes(FEW);
         if nodes.is_empty() {
             return Err(OptimizeError::EmptyRegion);
         }
         let values = vec![f64::INFINITY; sides.source.boundary_count()];
-        Ok(Self { family, nodes, constraints, domain: Arc::clone(domain), values, stage: Stage::Vertices(None) })
+        Ok(Self { family, nodes, many, constraints, domain: Arc::clone(domain), values, stage: Stage::Vertices(None) })
     }
 
-    /// Continues until all values are there (true) or the deadline has passed; computes at least one.
+    /// Continues until all values and marks are there (true) or the deadline has passed; computes at least one.
     pub fn advance(&mut self, deadline: Deadline) -> bool {
         while !self.is_complete() {
             self.stage = match std::mem::replace(&mut self.stage, Stage::Done(None)) {
                 Stage::Vertices(best) => self.add_vertex(best),
                 Stage::Lowest(compass, value) => self.descend(compass, value),
+                Stage::Middle(marks) => Stage::Worst(Marks { middle: self.value_of_rank(0.5), ..marks }),
+                Stage::Worst(marks) => Stage::Done(Some(Marks { worst: self.value_of_rank(1.0), ..marks })),
                 done @ Stage::Done(_) => done,
             };
             if deadline.is_over() {
@@ -99,10 +113,10 @@ impl Landscape {
         let vertex = self.values.len();
         let Some(&x) = self.domain.mesh().vertices().get(vertex) else {
             let Some((_, vertex)) = best else { return Stage::Done(None) };
-            self.nodes = self.family.nodes(MANY);
+            self.nodes = self.family.nodes(self.many);
             let step = self.reach(vertex);
             let compass = Compass::new(self.domain.mesh().vertices()[vertex], step, SMALL * step);
-            return Stage::Lowest(compass, f64::INFINITY);
+            return Stage::Lowest(compass, self.values[vertex]);
         };
         let value = self.value(x);
         self.values.push(value.criterion);
@@ -124,22 +138,25 @@ impl Landscape {
             let is_best = compass.answer(value.objective);
             return Stage::Lowest(compass, if is_best { value.criterion } else { least });
         }
-        let mut order: Vec<usize> = (0..self.values.len()).filter(|&v| self.values[v].is_finite()).collect();
-        order.sort_by(|&a, &b| self.values[a].total_cmp(&self.values[b]));
-        let [middle, worst] = [(order.len() - 1) / 2, order.len() - 1].map(|k| {
-            let vertex = order[k];
-            let exact = self.value(self.domain.mesh().vertices()[vertex]).criterion;
-            if exact.is_finite() { exact } else { self.values[vertex] }
-        });
-        Stage::Done(Some(Marks { lowest: compass.best(), values: [least, middle, worst] }))
+        Stage::Middle(Marks { lowest: compass.best(), least, middle: least, worst: least })
     }
 
-    /// Whether all values are there.
+    /// The value at the vertex at this share of the order of finite values, of which there is one; summed over many triangles
+    /// if it is finite then, too.
+    fn value_of_rank(&mut self, share: f64) -> f64 {
+        let mut order: Vec<usize> = (0..self.values.len()).filter(|&v| self.values[v].is_finite()).collect();
+        order.sort_by(|&a, &b| self.values[a].total_cmp(&self.values[b]));
+        let vertex = order[(share * (order.len() - 1) as f64) as usize];
+        let value = self.value(self.domain.mesh().vertices()[vertex]).criterion;
+        if value.is_finite() { value } else { self.values[vertex] }
+    }
+
+    /// Whether all values and marks are there.
     pub fn is_complete(&self) -> bool {
         matches!(self.stage, Stage::Done(_))
     }
 
-    /// The best place and values in numbers; `None` before they are there, and if no place has a map.
+    /// What is said in numbers; `None` before it is complete, and if no place has a map.
     pub fn marks(&self) -> Option<Marks> {
         if let Stage::Done(marks) = self.stage { marks } else { None }
     }

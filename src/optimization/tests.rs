@@ -93,7 +93,7 @@ fn the_landscape_is_lowest_where_the_best_map_has_its_point() {
     let start = Constraints::new((DVec2::new(1.2, 0.3), 0.1), (plane(&sides.target), 0.4));
     let mut landscape = Landscape::new(&sides, Criterion::Area, start, Side::Source).unwrap();
     while !landscape.advance(Deadline::in_ms(1.0)) {}
-    let Marks { lowest, values: [least, ..] } = landscape.marks().unwrap();
+    let Marks { lowest, least, .. } = landscape.marks().unwrap();
     assert!(lowest.length() < 0.05, "{lowest}");
     let vertices = landscape.domain().mesh().vertices();
     let inner = vertices.iter().zip(landscape.values()).filter(|(x, _)| x.length() < 0.5).step_by(50);
@@ -123,7 +123,7 @@ fn the_landscape_s_least_value_is_that_of_the_best_map() {
         let found = optimized(&sides, criterion.clone(), start, Direction::Forward);
         let mut landscape = Landscape::new(&sides, criterion, found.constraints, Side::Source).unwrap();
         assert!(landscape.advance(Deadline::NEVER));
-        let Marks { lowest, values: [least, middle, worst] } = landscape.marks().unwrap();
+        let Marks { lowest, least, middle, worst } = landscape.marks().unwrap();
         println!("{presets:?}: {least} at {lowest}");
         assert!((least - found.after).abs() < most * found.after, "{least}, but {found:?}");
         assert!(least < middle && middle < worst);

@@ -1,4 +1,4 @@
-//! The legend of signs at the lower edge of a picture: its dots, the painted region, and the ticks of overlays.
+//! The legend of signs at the lower edge of a picture: its dots, the marks, the painted region, and the ticks of overlays.
 
 use crate::app::input::handles::{Handle, HandleKind};
 use crate::app::overlays;
@@ -16,8 +16,8 @@ use egui::{Align, Color32, Label, Layout, Rect, RichText, Sense, Ui, UiBuilder, 
 /// The height of one row of the legend above a picture's lower edge.
 pub const LEGEND_HEIGHT: f32 = 32.0;
 
-/// Shows the legend of the dots and, where they do not fit beside these, that of the region and of the overlays' ticks in
-/// rows above; `beside` is the width at the right that other content takes.
+/// Shows the legend of the dots and, where they do not fit beside these, that of marks, region and overlays' ticks in rows
+/// above; `beside` is the width at the right that other content takes.
 pub fn show(ui: &mut Ui, side: Side, model: &Model, view: &View, beside: f32) {
     let low = view.rect.bottom();
     let place = view.rect.with_min_y(low - LEGEND_HEIGHT + 2.0).with_max_y(low - 8.0).shrink2(vec2(14.0, 0.0));
@@ -75,8 +75,14 @@ fn dot_entries(ui: &Ui, side: Side, model: &Model, room: f32) -> Vec<Entry> {
     vec![dot(INTERIOR_COLOUR, interior, HandleKind::Interior), dot(BOUNDARY_COLOUR, boundary, HandleKind::Boundary)]
 }
 
-/// The entries of the painted region and of the overlays' ticks.
+/// The entries of the marks, of the painted region and of the overlays' ticks.
 fn other_entries(ui: &Ui, side: Side, model: &Model) -> Vec<Entry> {
+    let marks = model.marks(side).is_some().then(|| Entry {
+        ink: Palette::of(ui.visuals()).text,
+        text: tr(key::four_marks()),
+        explanation: Some(dots::explanation(Handle { side, kind: HandleKind::Mark(0) })),
+        sign: widgets::square,
+    });
     let is_painted = side == Side::Source && best::shows_region(model);
     let region = is_painted.then(|| Entry {
         ink: best::region_ink(ui).to_opaque(),
@@ -86,7 +92,7 @@ fn other_entries(ui: &Ui, side: Side, model: &Model) -> Vec<Entry> {
     });
     let dashes = overlays::paint::legend(side, model, ui.visuals().dark_mode).into_iter();
     let dashes = dashes.map(|(ink, text)| Entry { ink, text, explanation: None, sign: widgets::dash });
-    region.into_iter().chain(dashes).collect()
+    marks.into_iter().chain(region).chain(dashes).collect()
 }
 
 /// Free space after an entry, in addition to the usual spacing.

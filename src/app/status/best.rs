@@ -28,7 +28,7 @@ impl BestStats {
             result: best.outcome().map(|outcome| [outcome.before, outcome.after]),
             moving: best.is_moving(),
             region: model.session().region().len(),
-            lowest: best.landscape().and_then(Landscapes::marks).map(|marks| marks.values[0]),
+            lowest: best.landscape().and_then(Landscapes::marks).map(|marks| marks.least),
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::app::theme::Palette;
 use crate::app::theme::text_metrics::text_width;
 use crate::app::theme::widgets::caption_font;
 use crate::geometry::DVec2;
-use crate::language::{decimal, key, number, say, tr};
+use crate::language::{key, number, say, significant, tr};
 use crate::model::PointedImage;
 use egui::{Label, RichText, Ui};
 
@@ -62,16 +62,6 @@ impl Numbers {
 /// The decimals to which a number with this error is right.
 fn right_decimals(error: f64) -> usize {
     (-error.log10()).floor().clamp(0.0, 15.0) as usize
-}
-
-/// A number to 10^−digits of itself.
-fn significant(value: f64, digits: usize) -> String {
-    if (1e-3..1e5).contains(&value) {
-        let before = value.log10().floor() as i32;
-        number(value, (digits as i32 - before - 1).clamp(0, 15) as usize)
-    } else {
-        decimal(&format!("{value:.*e}", digits.saturating_sub(1)))
-    }
 }
 
 fn signed(value: f64, decimals: usize) -> String {

@@ -332,6 +332,12 @@ pub fn patch(ui: &mut Ui, colour: Color32) {
     ui.painter().rect_filled(rect, 2, colour);
 }
 
+/// An empty square with this edge, as the sign of marks in a legend.
+pub fn square(ui: &mut Ui, colour: Color32) {
+    let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
+    ui.painter().rect_stroke(rect, 2, Stroke::new(1.5, colour), StrokeKind::Inside);
+}
+
 /// A short line, as the sign of a legend entry.
 pub fn dash(ui: &mut Ui, colour: Color32) {
     let (rect, _) = ui.allocate_exact_size(vec2(SIGN_WIDTH, 10.0), Sense::hover());

@@ -12,7 +12,7 @@ use crate::app::viewport::planar;
 use crate::app::viewport::view::View;
 use crate::conformal::{MeshedDomain, Side};
 use crate::geometry::{DVec2, DVec3};
-use crate::language::{key, number, say};
+use crate::language::{key, say, significant};
 use crate::model::Model;
 use crate::model::best::Aim;
 use crate::render::ColourMap;
@@ -163,7 +163,7 @@ fn paint_landscape(ui: &Ui, model: &Model, view: &View) {
             painter.line_segment([at - egui::vec2(7.0, 0.0), at + egui::vec2(7.0, 0.0)], Stroke::new(width, ink));
             painter.line_segment([at - egui::vec2(0.0, 7.0), at + egui::vec2(0.0, 7.0)], Stroke::new(width, ink));
         }
-        let words = say(&key::lowest_of_landscape(significant(marks.values[0])));
+        let words = say(&key::lowest_of_landscape(significant(marks.least, 3)));
         paint_words_beside(ui, &painter, words, Rect::from_center_size(at, Vec2::splat(14.0)), &obstacles(model, view));
     }
 }
@@ -172,12 +172,6 @@ fn paint_landscape(ui: &Ui, model: &Model, view: &View) {
 fn obstacles(model: &Model, view: &View) -> Vec<Pos2> {
     let dots = planar::places(Side::Source, model, view).into_iter().map(|(_, place)| place);
     dots.flat_map(|dot| [-2.0, 0.0, 2.0].map(|steps| dot + Vec2::new(0.0, steps * GRAB_RADIUS))).collect()
-}
-
-/// A value of a criterion in about three digits: mismatches of symmetry are a ten-thousandth.
-pub fn significant(value: f64) -> String {
-    let digits = 2.0 - value.abs().max(f64::MIN_POSITIVE).log10().floor();
-    number(value, digits.clamp(0.0, 6.0) as usize)
 }
 
 /// The mesh with a color for each rank: dark where the criterion is least.

@@ -3,7 +3,7 @@
 //! In the plane the derivatives are those of [`View::derivative`] at first; each step then corrects them along itself
 //! (Broyden 1965), which saves one or two kernels. A step that leaves the side or does not improve is halved. On a surface
 //! they are those of the discrete harmonic functions of the arcs, which are nearly right, so that each step divides the
-//! error by ten or more. Both end at the error of the measures, or where finite elements jump from triangle to triangle.
+//! error by ten or more. Both end at rounding, or where finite elements jump from triangle to triangle.
 
 use super::arcs::Arcs;
 use super::difference;
@@ -12,10 +12,10 @@ use super::view::View;
 use crate::conformal::{InteriorPoint, MapError, PreparedSide, Side};
 use crate::geometry::{DMat2, DVec2};
 
-/// Differences of measures that are rounding.
+/// Differences of measures that are rounding. Next to a right-angled corner images are off by their square roots, so that a
+/// search does not end earlier where measures are known to 1e-12 only.
 const ROUNDING: f64 = 2e-14;
-/// The largest differences that are left if the measures themselves are not known better; below them a step that does not
-/// improve is not halved.
+/// Differences of measures below which a step that does not improve is not halved: what is left is rounding.
 const NOISE: f64 = 1e-11;
 /// Steps: from the error of finite elements, two or three suffice in the plane.
 const STEPS: usize = 30;
@@ -88,7 +88,7 @@ impl<'a> Wanted<'a> {
     fn newton(&self, mut x: DVec2, mut best: Try<'a>) -> Result<Option<Found<'a>>, MapError> {
         let mut derivative = None;
         for _ in 0..STEPS {
-            if size(best.off) <= best.view.error().clamp(ROUNDING, NOISE) {
+            if size(best.off) <= ROUNDING {
                 break;
             }
             let known: DMat2 = derivative.unwrap_or_else(|| best.view.derivative(self.marks));

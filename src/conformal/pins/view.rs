@@ -118,14 +118,6 @@ impl<'a> View<'a> {
         }
     }
 
-    /// An estimate of the error of measures along a curve; 0 on a mesh, whose measures are exactly those of its kernel.
-    pub fn error(&self) -> f64 {
-        match &self.measure {
-            Measure::Curve(_, measure) => measure.error_estimate(),
-            Measure::Mesh(_) => 0.0,
-        }
-    }
-
     /// The position of a place; the plane lies at z = 0.
     pub fn position(&self, s: f64) -> DVec3 {
         match &self.measure {

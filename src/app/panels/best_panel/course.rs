@@ -1,4 +1,4 @@
-//! The course of a search for the best map: the least value against the number of maps that were tried.
+//! The course of a search for the best map: the value of the best map so far against the number of maps that were tried.
 //!
 //! Values in closed form and those of the maps themselves differ by the error of the closed form; they are lines of their
 //! own, in different inks. The vertical axis is logarithmic, both axes end at the data. The values of the first and of the
@@ -7,8 +7,7 @@
 use crate::app::theme::Palette;
 use crate::app::theme::text_metrics::text_width;
 use crate::app::theme::widgets::caption_font;
-use crate::app::viewport::best::significant;
-use crate::language::{key, tr};
+use crate::language::{key, significant, tr};
 use crate::model::best::Least;
 use egui::{Align2, CornerRadius, Painter, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
 
@@ -29,7 +28,7 @@ pub fn show(ui: &mut Ui, course: &[Least]) {
     painter.rect_stroke(frame, CornerRadius::same(4), Stroke::new(1.0, palette.border), StrokeKind::Inside);
     let known: Vec<Least> = course.iter().copied().filter(|each| each.value.is_finite() && each.value > 0.0).collect();
     let (Some(first), Some(last)) = (known.first(), known.last()) else { return };
-    let [begun, reached] = [first, last].map(|each| significant(each.value));
+    let [begun, reached] = [first, last].map(|each| significant(each.value, 3));
     let [left, right] = [&begun, &reached].map(|text| text_width(ui, text, caption_font(ui)) + BESIDE);
     let inner = frame.shrink2(INSET.into());
     let axes = Axes::of(&known, inner.with_min_x(inner.left() + left).with_max_x(inner.right() - right));

@@ -8,7 +8,7 @@ use crate::app::theme::Palette;
 use crate::app::theme::explained::explained_heading;
 use crate::app::theme::widgets::{Segment, captioned_slider, segmented};
 use crate::conformal::Side;
-use crate::language::{Label, Message, key, number, say, tr};
+use crate::language::{Label, Message, key, number, say, significant, tr};
 use crate::model::Model;
 use crate::model::best::{Aim, BRUSHES, BestAction, BestMap, Outcome};
 use crate::session::Command;
@@ -93,7 +93,7 @@ pub fn criterion(aim: Aim) -> Label {
 
 /// A result in words.
 pub fn said(outcome: &Outcome) -> Message {
-    let [before, after] = [outcome.before, outcome.after].map(|value| number(value, 4));
+    let [before, after] = [outcome.before, outcome.after].map(|value| significant(value, 5));
     match outcome.aim {
         _ if outcome.after >= outcome.before => key::best_already(after, outcome.evaluations),
         Aim::Area => key::best_area(before, after, outcome.evaluations),
