@@ -294,6 +294,9 @@ pub fn paint_boundary_mark(ui: &Ui, side: Side, model: &Model, view: &View, frac
     dots::paint_mark(ui, &ui.painter_at(view.rect), side, place);
 }
 
+/// A picture lower than this has a small hint, which leaves most of the shape in sight.
+const LOW: f32 = 260.0;
+
 /// Draws the hint "drag a dot" below the first dot that is not locked.
 pub fn paint_hint(ui: &Ui, rect: Rect, places: &Places) {
     let locks = Locks::of(ui.ctx());
@@ -301,12 +304,13 @@ pub fn paint_hint(ui: &Ui, rect: Rect, places: &Places) {
     let Some(&(_, place)) = free.next() else { return };
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(rect);
+    let is_low = rect.height() < LOW;
     let galley = painter.layout_no_wrap(
         String::from(tr(key::drag_dot())),
-        egui::TextStyle::Body.resolve(ui.style()),
+        if is_low { caption_font(ui) } else { egui::TextStyle::Body.resolve(ui.style()) },
         palette.on_accent,
     );
-    let size = galley.size() + vec2(22.0, 12.0);
+    let size = galley.size() + if is_low { vec2(12.0, 4.0) } else { vec2(22.0, 12.0) };
     let label = Rect::from_center_size(place + vec2(0.0, DOT_RADIUS + 14.0 + 0.5 * size.y), size);
     let tip = label.center_top() - vec2(0.0, 6.0);
     let base = [label.center_top() + vec2(-6.0, 0.5), label.center_top() + vec2(6.0, 0.5)];

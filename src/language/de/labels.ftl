@@ -491,7 +491,7 @@ measuring_rows = { $count ->
    *[other] es wird gemessen, noch { $count } Zeilen…
 }
 paper_machine_and_here = Artikel: { $machine }. Hier: ein Thread.
-tables_of_paper = Tabellen 1 und 2 des Artikels auf diesem Rechner
+tables_of_paper = Tabellen 1 und 2 auf diesem Rechner
 convergence_of_paper = Figur 15: Konvergenz auf der V-Form, bis m = 2000
 setting_paper = Einstellungen des Artikels: gleichmäßige Punkte und Dreiecke
 setting_default = Voreinstellungen von riemap: adaptive Punkte, abgestufte Dreiecke

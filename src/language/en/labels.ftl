@@ -491,7 +491,7 @@ measuring_rows = { $count ->
    *[other] measuring, { $count } rows to go…
 }
 paper_machine_and_here = Paper: { $machine }. Here: one thread.
-tables_of_paper = Tables 1 and 2 of the paper, on this machine
+tables_of_paper = Tables 1 and 2 on this machine
 convergence_of_paper = Figure 15: convergence on the V-shape, up to m = 2000
 setting_paper = the paper's settings: uniform samples and triangles
 setting_default = riemap's defaults: adaptive samples, graded triangles
