@@ -62,7 +62,7 @@ fn up_to(coefficients: &Values, u: f64) -> (f64, f64) {
 
 /// Steps of Newton's method, or bisections, to a place in a span.
 const MOST_STEPS: u32 = 100;
-/// A step of Newton's method after which the place is right to rounding, in shares of place and measure.
+/// A step of Newton's method, in shares of place and measure, whose square is rounding.
 const LAST_STEP: f64 = 1e-9;
 
 impl Span {
@@ -216,7 +216,7 @@ impl Span {
             Shape::Series(coefficients) => coefficients,
         };
         let (mut low, mut high) = (0.0, 2.0);
-        let mut u = 2.0 * near / self.measure;
+        let (mut u, mut last_step) = (2.0 * near / self.measure, 2.0);
         for _ in 0..MOST_STEPS {
             let (density, below) = self.up_to(coefficients, u);
             if below > near {
@@ -225,12 +225,13 @@ impl Span {
                 low = u;
             }
             let (before, newton) = (u, u - (below - near) / density);
-            let is_newton = newton >= low && newton <= high;
+            // steps that do not halve may go to and fro for ever
+            let is_newton = newton >= low && newton <= high && (newton - u).abs() <= 0.5 * last_step;
             u = if is_newton { newton } else { 0.5 * (low + high) };
-            let step = (u - before).abs();
-            // Newton's step leaves the square of a small difference, if the measure differs as little: a peak is narrow
-            let is_last = is_newton && step <= LAST_STEP * u && (below - near).abs() <= LAST_STEP * near;
-            if is_last || step <= f64::EPSILON * u {
+            last_step = (u - before).abs();
+            // on a narrow peak a small step may be a large difference of measures
+            let is_last = is_newton && last_step <= LAST_STEP * u && (below - near).abs() <= LAST_STEP * near;
+            if is_last || last_step <= f64::EPSILON * u {
                 break;
             }
         }

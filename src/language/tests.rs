@@ -210,3 +210,10 @@ fn a_message_crosses_from_a_worker_as_text() {
     assert_eq!(serde_json::from_str::<Message>(&text).unwrap(), message);
     assert!(message.mentions(&key::topology_closed(2_u32)) && !message.mentions(&key::topology_closed(3_u32)));
 }
+
+#[test]
+fn a_number_is_right_to_its_digits_however_small_or_large() {
+    let english = [(1.5e-9, 3), (123.456, 4), (0.0, 3), (0.068_907, 3), (3.9436e23, 5)].map(|(x, n)| significant(x, n));
+    assert_eq!(english, ["1.50e-9", "123.5", "0", "0.0689", "3.9436e23"]);
+    assert_eq!(significant(f64::INFINITY, 3), "inf");
+}

@@ -175,7 +175,7 @@ pub fn number(value: f64, digits: usize) -> String {
     current().decimal(&format!("{value:.digits$}"))
 }
 
-/// A positive number with this many digits, with an exponent if it is small or large.
+/// A number that is not negative, right to this many digits, with an exponent below 1e-3 and from 1e5 on.
 pub fn significant(value: f64, digits: usize) -> String {
     if (1e-3..1e5).contains(&value) {
         let before = value.log10().floor() as i32;

@@ -2,8 +2,7 @@
 //!
 //! Values are those of the closed form at the vertices of a planar source's mesh, in the order of the mesh, infinite on the
 //! boundary; between them they are linear. They are summed over a few triangles, which is enough to tell places apart. Those
-//! that are said in numbers, of the best place, which lies between vertices, of the middle and of the worst one, are summed
-//! over many, and are those of the maps there up to about a hundredth. Among maps that keep symmetries almost equally well the
+//! of the [`Marks`] are summed over many: areas are those of the maps there up to a hundredth, scales up to three. Among maps that keep symmetries almost equally well the
 //! best place is that of the most even areas.
 
 use super::chart::Chart;
@@ -16,10 +15,11 @@ use crate::geometry::DVec2;
 use crate::laplace::Deadline;
 use std::sync::Arc;
 
-/// Triangles that stand for all: for every vertex, and for places that are said in numbers; for symmetries, each of them is
-/// moved by all.
+/// Triangles that stand for all, for the values at vertices: enough to tell places apart.
 const FEW: usize = 300;
+/// The same for marks.
 const MANY: usize = 5000;
+/// The same for marks of symmetries, where each triangle is moved by all of them: as many as in the search.
 const MANY_MOVED: usize = 600;
 
 /// The last step of the search for the best place, in steps at first.
@@ -52,7 +52,7 @@ enum Stage {
     Done(Option<Marks>),
 }
 
-/// What is said in numbers.
+/// The best, the middle and the worst value of a landscape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Marks {
     /// The best place.
@@ -93,8 +93,12 @@ impl Landscape {
             self.stage = match std::mem::replace(&mut self.stage, Stage::Done(None)) {
                 Stage::Vertices(best) => self.add_vertex(best),
                 Stage::Lowest(compass, value) => self.descend(compass, value),
-                Stage::Middle(marks) => Stage::Worst(Marks { middle: self.value_of_rank(0.5), ..marks }),
-                Stage::Worst(marks) => Stage::Done(Some(Marks { worst: self.value_of_rank(1.0), ..marks })),
+                Stage::Middle(marks) => {
+                    Stage::Worst(Marks { middle: self.value_of_rank(0.5).max(marks.least), ..marks })
+                }
+                Stage::Worst(marks) => {
+                    Stage::Done(Some(Marks { worst: self.value_of_rank(1.0).max(marks.middle), ..marks }))
+                }
                 done @ Stage::Done(_) => done,
             };
             if deadline.is_over() {
@@ -156,7 +160,7 @@ impl Landscape {
         matches!(self.stage, Stage::Done(_))
     }
 
-    /// What is said in numbers; `None` before it is complete, and if no place has a map.
+    /// The best, the middle and the worst value; `None` before they are there, and if no place has a map.
     pub fn marks(&self) -> Option<Marks> {
         if let Stage::Done(marks) = self.stage { marks } else { None }
     }

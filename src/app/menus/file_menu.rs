@@ -21,6 +21,9 @@ const SAVE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::S)
 const FULL_SCREEN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F);
 const EXPORT: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::E);
 
+/// The width that is kept free for the scroll bar, which would lie over the keys, in points.
+const SCROLL_BAR: f32 = 8.0;
+
 /// The kept sessions that are listed: more would not fit under the other entries.
 const MOST_RECENT: usize = 4;
 
@@ -31,8 +34,11 @@ const EXPORT_TOOLTIP: Label = key::export_tooltip();
 /// A button that opens the menu.
 pub fn menu_button(ui: &mut Ui, persistence: &Persistence, can_step: [bool; 2], actions: &mut Actions) {
     drop_down(ui, tr(key::file()), PopupCloseBehavior::CloseOnClick, |ui| {
-        ui.set_width(190.0);
-        scroll_beyond(ui, BELOW_BAR, |ui| content(ui, persistence, can_step, actions));
+        ui.set_width(190.0 + SCROLL_BAR);
+        scroll_beyond(ui, BELOW_BAR, |ui| {
+            ui.set_max_width(ui.available_width() - SCROLL_BAR);
+            content(ui, persistence, can_step, actions);
+        });
     });
 }
 

@@ -8,14 +8,10 @@ const LEAST_LIST: f32 = 90.0;
 /// The part of the screen's height that a menu of the top bar leaves free, in points: the bar above, a margin below.
 pub const BELOW_BAR: f32 = 80.0;
 
-/// The width that a scroll bar takes from the content of a list, in points, so that it does not lie over words at the right.
-const BESIDE_BAR: f32 = 10.0;
-
 /// Shows `content` in a window or a menu; it scrolls if it is higher than the screen less `besides`, the height in
 /// points of everything above and below it.
 pub fn scroll_beyond<R>(ui: &mut Ui, besides: f32, content: impl FnOnce(&mut Ui) -> R) -> R {
     let height = (ui.ctx().content_rect().height() - besides).max(LEAST_LIST);
-    ui.spacing_mut().scroll.floating_allocated_width = BESIDE_BAR;
     // without a least height egui limits a scroll area in a window or a menu to 400 points
     ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, content).inner
 }
