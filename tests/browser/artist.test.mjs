@@ -27,6 +27,9 @@ async function overSquare(app, changes = {}) {
   return app.atRest('the surface is there', (stats) => stats.ready && stats.target.m === 80);
 }
 
+/** Screenshots after which a picture that is still another one is taken for final. */
+const MOST_SHOTS = 40;
+
 /** Saves with a choice in the window of exports. */
 async function saved(app, ...names) {
   if ((await app.stats()).export === null) await app.press('Control+e');
@@ -96,13 +99,17 @@ withOneBackend('the artist', (bench) => {
         return (await app.page.screenshot({ clip: { x: x - 150, y: y - 100, width: 300, height: 200 } })).toString('base64');
       };
       await app.walkTo(/^UV grid, check box/);
-      const without = await around(true);
+      let without = await around(true);
+      for (let next = await around(true); next !== without; next = await around(true)) without = next;
       await app.press('Space');
       const drawn = await around(false);
       assert.notEqual(drawn, without);
       await app.shot('uv-grid');
       await app.press('Space');
-      assert.ok((await around(true)) === without, 'as before');
+      // what moved is first drawn with fewer pixels
+      let back = await around(true);
+      for (let shots = 1; shots < MOST_SHOTS && back !== without; shots++) back = await around(true);
+      assert.ok(back === without, 'as before');
     }),
   );
 });
