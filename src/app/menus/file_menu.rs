@@ -10,7 +10,7 @@ use crate::language::{Label, key, say, tr};
 use crate::model::persistence::Persistence;
 use crate::model::persistence::visits::Visits;
 use crate::platform;
-use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, PopupCloseBehavior, Ui};
+use egui::{Context, Event, Frame, Key, KeyboardShortcut, Margin, Modifiers, PopupCloseBehavior, Ui};
 use web_time::SystemTime;
 
 const UNDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Z);
@@ -22,7 +22,7 @@ const FULL_SCREEN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key
 const EXPORT: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::E);
 
 /// The width that is kept free for the scroll bar, which would lie over the keys, in points.
-const SCROLL_BAR: f32 = 8.0;
+const SCROLL_BAR: i8 = 8;
 
 /// The kept sessions that are listed: more would not fit under the other entries.
 const MOST_RECENT: usize = 4;
@@ -34,11 +34,9 @@ const EXPORT_TOOLTIP: Label = key::export_tooltip();
 /// A button that opens the menu.
 pub fn menu_button(ui: &mut Ui, persistence: &Persistence, can_step: [bool; 2], actions: &mut Actions) {
     drop_down(ui, tr(key::file()), PopupCloseBehavior::CloseOnClick, |ui| {
-        ui.set_width(190.0 + SCROLL_BAR);
-        scroll_beyond(ui, BELOW_BAR, |ui| {
-            ui.set_max_width(ui.available_width() - SCROLL_BAR);
-            content(ui, persistence, can_step, actions);
-        });
+        ui.set_width(190.0 + f32::from(SCROLL_BAR));
+        let beside_bar = Frame::new().inner_margin(Margin { right: SCROLL_BAR, ..Margin::ZERO });
+        scroll_beyond(ui, BELOW_BAR, |ui| beside_bar.show(ui, |ui| content(ui, persistence, can_step, actions)));
     });
 }
 
