@@ -12,12 +12,15 @@
 //! u_o = S⁻¹ (P_o − B R P_i),  v = P_i − A u_o,  u_i = R v,  R ← P_Wᵀ (u_i, u_o).
 //!
 //! The same u_o and v take a density outwards in: u_o ρ̃ is the true density on the outer panels, v ρ̃ the transformed
-//! density of the next smaller block. With straight legs every step is the same, and R is the recursion's fixed point;
-//! curved legs use their true geometry, one step for each level.
+//! density of the next smaller block. With straight legs every step is the same, and R is the recursion's fixed point
+//! (`straight`); curved legs use their true geometry, one step for each level. Where one leg lies next to the other,
+//! integrals over its panels are exact for polynomials (`panel`).
 
 use super::leg::{Leg, Node, kernel};
 use super::legendre::{NODES, Rule};
-use crate::geometry::Junction;
+use super::panel::Slope;
+use super::straight;
+use crate::geometry::{DVec2, Junction};
 use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve as _};
 use std::f64::consts::PI;
@@ -69,14 +72,19 @@ pub struct Compressed {
     pub(super) steps: Vec<Step>,
     /// The step of all further levels, with the tangents as legs.
     pub(super) repeated: Step,
-    /// R at all further levels.
-    pub innermost: Mat<f64>,
+    /// R at all further levels, if that is not `matrix`.
+    pub(super) innermost: Option<Mat<f64>>,
 }
 
 impl Compressed {
     /// The step inwards at a level, counted from the whole block.
     pub fn step(&self, level: usize) -> &Step {
         self.steps.get(level).unwrap_or(&self.repeated)
+    }
+
+    /// R of a small block, after all steps of curved legs.
+    pub fn innermost(&self) -> &Mat<f64> {
+        self.innermost.as_ref().unwrap_or(&self.matrix)
     }
 }
 
@@ -89,7 +97,7 @@ pub struct BlockMesh {
 
 impl BlockMesh {
     /// The inner panels of the finer mesh, as (start, length).
-    fn inner(self) -> impl Iterator<Item = (f64, f64)> {
+    pub fn inner(self) -> impl Iterator<Item = (f64, f64)> {
         (0..self.panels).map(|k| (0.5 * k as f64, 0.5))
     }
 
@@ -107,22 +115,19 @@ impl BlockMesh {
         (start as usize, half)
     }
 
-    /// P and P_W from the block to these panels of each leg.
-    fn interpolation(self, panels: &[(f64, f64)]) -> [Mat<f64>; 2] {
+    /// P and P_W from the block to these panels of one leg.
+    pub fn interpolation(self, panels: &[(f64, f64)]) -> [Mat<f64>; 2] {
         let rule = Rule::get();
         let (rows, columns) = (panels.len() * NODES, self.panels * NODES);
-        let mut matrices = [Mat::zeros(2 * rows, 2 * columns), Mat::zeros(2 * rows, 2 * columns)];
+        let mut matrices = [Mat::zeros(rows, columns), Mat::zeros(rows, columns)];
         for (k, &panel) in panels.iter().enumerate() {
             let (parent, half) = Self::parent(panel);
-            for leg in 0..2 {
-                for i in 0..NODES {
-                    let row = leg * rows + k * NODES + i;
-                    for j in 0..NODES {
-                        let column = leg * columns + parent * NODES + j;
-                        let value = half.map_or(f64::from(i == j), |side| rule.halves[side][i][j]);
-                        matrices[0][(row, column)] = value;
-                        matrices[1][(row, column)] = value * panel.1 * rule.weights[i] / rule.weights[j];
-                    }
+            for i in 0..NODES {
+                for j in 0..NODES {
+                    let (row, column) = (k * NODES + i, parent * NODES + j);
+                    let value = half.map_or(f64::from(i == j), |side| rule.halves[side][i][j]);
+                    matrices[0][(row, column)] = value;
+                    matrices[1][(row, column)] = value * panel.1 * rule.weights[i] / rule.weights[j];
                 }
             }
         }
@@ -130,76 +135,109 @@ impl BlockMesh {
     }
 }
 
-/// The nodes of these panels on both legs, `scales` parameters per unit.
-fn nodes(legs: &[Leg; 2], scales: [f64; 2], panels: &[(f64, f64)]) -> [Vec<Node>; 2] {
-    let rule = Rule::get();
-    [0, 1].map(|k| {
+/// The matrix on both legs that acts on each as this one does.
+fn on_both(matrix: &Mat<f64>) -> Mat<f64> {
+    let (rows, columns) = (matrix.nrows(), matrix.ncols());
+    Mat::from_fn(2 * rows, 2 * columns, |i, j| {
+        if i / rows == j / columns { matrix[(i % rows, j % columns)] } else { 0.0 }
+    })
+}
+
+/// Panels on one leg with their nodes.
+pub struct LegMesh {
+    nodes: Vec<Node>,
+    slopes: Vec<(Slope, DVec2)>,
+    is_straight: bool,
+}
+
+impl LegMesh {
+    /// The nodes of these panels, `scale` parameters per unit.
+    pub fn new(leg: &Leg, scale: f64, panels: &[(f64, f64)]) -> Self {
+        let rule = Rule::get();
         let of_panel = |&(start, length): &(f64, f64)| {
             let places = rule.nodes.iter().zip(rule.weights);
             places.map(move |(x, w)| {
                 let (t, weight) = (start + length * 0.5 * (1.0 + x), 0.5 * length * w);
-                legs[k].node(scales[k] * t, scales[k] * weight)
+                leg.node(scale * t, scale * weight)
             })
         };
-        panels.iter().flat_map(of_panel).collect()
-    })
+        let slope = |&(start, length): &(f64, f64)| {
+            let middle = leg.node(scale * (start + 0.5 * length), 0.0).offset;
+            (Slope::new(leg, [scale * start, scale * (start + length)]), middle)
+        };
+        Self {
+            nodes: panels.iter().flat_map(of_panel).collect(),
+            slopes: panels.iter().map(slope).collect(),
+            is_straight: leg.is_straight(),
+        }
+    }
+
+    /// K from the panels of `source`, on the other leg, to the nodes of this mesh.
+    pub fn across(&self, source: &Self) -> Mat<f64> {
+        let mut matrix = Mat::zeros(self.nodes.len(), source.nodes.len());
+        for (b, (panel, (slope, middle))) in source.nodes.as_chunks::<NODES>().0.iter().zip(&source.slopes).enumerate() {
+            let rate = panel[0].weight / Rule::get().weights[0];
+            for (i, y) in self.nodes.iter().enumerate() {
+                let differences = panel.each_ref().map(|s| y.offset - s.offset);
+                let is_near = slope.may_be_near(y.offset - *middle);
+                let close = if is_near { slope.close_weights(y.normal, &differences, rate) } else { None };
+                let plain = || std::array::from_fn(|j| kernel(y.normal, differences[j]) * panel[j].weight);
+                for (j, weight) in close.unwrap_or_else(plain).into_iter().enumerate() {
+                    matrix[(i, b * NODES + j)] = weight;
+                }
+            }
+        }
+        matrix
+    }
+
+    /// K from the panels of `source`, on the same leg. Within a straight one it is 0.
+    fn along(&self, source: &Self) -> Mat<f64> {
+        let (rows, columns) = (self.nodes.len(), source.nodes.len());
+        if self.is_straight {
+            return Mat::zeros(rows, columns);
+        }
+        Mat::from_fn(rows, columns, |i, j| {
+            let (y, s) = (&self.nodes[i], &source.nodes[j]);
+            let difference = y.offset - s.offset;
+            // equal nodes: the diagonal
+            s.weight * if difference.length_squared() == 0.0 { y.diagonal } else { kernel(y.normal, difference) }
+        })
+    }
 }
 
-/// ± K from sources to targets on both legs. Within one straight leg the kernel is 0.
-fn kernels(legs: &[Leg; 2], targets: &[Vec<Node>; 2], sources: &[Vec<Node>; 2], sign: f64) -> Mat<f64> {
-    let (rows, columns) = (targets[0].len(), sources[0].len());
-    Mat::from_fn(2 * rows, 2 * columns, |i, j| {
-        let (a, b) = (i / rows, j / columns);
-        if a == b && legs[a].is_straight() {
-            return 0.0;
-        }
-        let (y, s) = (&targets[a][i % rows], &sources[b][j % columns]);
-        let difference = y.offset - s.offset;
-        // equal nodes of one leg: the diagonal
-        let value = if difference.length_squared() == 0.0 { y.diagonal } else { kernel(y.normal, difference) };
-        sign * value * s.weight
-    })
+/// ± K from sources to targets on both legs.
+fn kernels(targets: &[LegMesh; 2], sources: &[LegMesh; 2], sign: f64) -> Mat<f64> {
+    let part = |a: usize, b: usize| if a == b { targets[a].along(&sources[a]) } else { targets[a].across(&sources[b]) };
+    let parts = [[part(0, 0), part(0, 1)], [part(1, 0), part(1, 1)]];
+    let (rows, columns) = (parts[0][0].nrows(), parts[0][0].ncols());
+    Mat::from_fn(2 * rows, 2 * columns, |i, j| sign * parts[i / rows][j / columns][(i % rows, j % columns)])
 }
 
 /// The parts of a step that do not depend on R, at one level.
-struct Level {
+pub struct Level {
     /// A: inner targets, outer sources.
-    a: Mat<f64>,
+    pub a: Mat<f64>,
     /// B: outer targets, inner sources.
-    b: Mat<f64>,
+    pub b: Mat<f64>,
     /// D = I + K on the outer panels.
-    d: Mat<f64>,
+    pub d: Mat<f64>,
 }
 
-/// What all levels share.
-struct Recursion<'a> {
-    legs: &'a [Leg; 2],
-    inner_panels: Vec<(f64, f64)>,
-    outer_panels: Vec<(f64, f64)>,
-    inner: [Mat<f64>; 2],
-    outer: [Mat<f64>; 2],
-    sign: f64,
+/// P and P_W to the inner and to the outer panels.
+pub struct Interpolation {
+    pub inner: [Mat<f64>; 2],
+    pub outer: [Mat<f64>; 2],
 }
 
-impl<'a> Recursion<'a> {
-    fn new(legs: &'a [Leg; 2], mesh: BlockMesh, sign: f64) -> Self {
-        let (inner_panels, outer_panels): (Vec<_>, _) = (mesh.inner().collect(), mesh.outer());
-        let (inner, outer) = (mesh.interpolation(&inner_panels), mesh.interpolation(&outer_panels));
-        Self { legs, inner_panels, outer_panels, inner, outer, sign }
-    }
-
-    fn level(&self, scales: [f64; 2]) -> Level {
-        let inner = nodes(self.legs, scales, &self.inner_panels);
-        let outer = nodes(self.legs, scales, &self.outer_panels);
-        let mut d = kernels(self.legs, &outer, &outer, self.sign);
-        for k in 0..d.nrows() {
-            d[(k, k)] += 1.0;
-        }
-        Level { a: kernels(self.legs, &inner, &outer, self.sign), b: kernels(self.legs, &outer, &inner, self.sign), d }
+impl Interpolation {
+    /// On one leg.
+    pub fn new(mesh: BlockMesh) -> Self {
+        let inner: Vec<_> = mesh.inner().collect();
+        Self { inner: mesh.interpolation(&inner), outer: mesh.interpolation(&mesh.outer()) }
     }
 
     /// The step at this level and the R that it leads to.
-    fn step(&self, level: &Level, r: &Mat<f64>) -> (Step, Mat<f64>) {
+    pub fn step(&self, level: &Level, r: &Mat<f64>) -> (Step, Mat<f64>) {
         let br = &level.b * r;
         let schur = &level.d - &br * &level.a;
         let mut outer = &self.outer[0] - &br * &self.inner[0];
@@ -210,34 +248,25 @@ impl<'a> Recursion<'a> {
     }
 }
 
-/// The largest number of rounds to the fixed point; corners of 359 degrees take about 120.
-const MOST_ROUNDS: usize = 400;
-/// The change of R at which the fixed point is reached: a few units of rounding of its entries, which are of order 1.
-const STANDING: f64 = 4e-15;
+/// A block's level with its true geometry.
+fn level(legs: &[Leg; 2], mesh: BlockMesh, scales: [f64; 2], sign: f64) -> Level {
+    let (inner, outer): (Vec<_>, _) = (mesh.inner().collect(), mesh.outer());
+    let [inner, outer] = [inner, outer].map(|panels| [0, 1].map(|k| LegMesh::new(&legs[k], scales[k], &panels)));
+    let mut d = kernels(&outer, &outer, sign);
+    add_identity(&mut d);
+    Level { a: kernels(&inner, &outer, sign), b: kernels(&outer, &inner, sign), d }
+}
+
+/// Adds 1 to the diagonal.
+pub fn add_identity(matrix: &mut Mat<f64>) {
+    for k in 0..matrix.nrows() {
+        matrix[(k, k)] += 1.0;
+    }
+}
+
 /// The levels of a curved corner end where curvature changes the measure by less than this; the presets' measures do not
 /// change with 1e-15.
 const LEVEL_TOLERANCE: f64 = 1e-14;
-/// The change of R at which the fixed point inside of these levels is reached: the measure there is below 1e-7.
-const LEVEL_STANDING: f64 = 1e-11;
-
-/// R of straight legs of equal length that meet as the tangents of these legs do, and its step.
-fn fixed_point(recursion: &Recursion<'_>, scales: [f64; 2], size: usize, standing: f64) -> (Step, Mat<f64>) {
-    let level = recursion.level(scales);
-    let mut r = Mat::identity(size, size);
-    let (mut step, mut next) = recursion.step(&level, &r);
-    let mut best = f64::INFINITY;
-    for _ in 0..MOST_ROUNDS {
-        let change = (&next - &r).norm_max();
-        r = next;
-        // rounding may keep R from standing still altogether
-        if change <= standing || (change < 1e-13 && change >= best) {
-            break;
-        }
-        best = best.min(change);
-        (step, next) = recursion.step(&level, &r);
-    }
-    (step, r)
-}
 
 /// Compresses the block of `mesh` at a junction; its panels have `scales` of the parameters of the legs.
 pub fn compress(
@@ -247,27 +276,27 @@ pub fn compress(
     scales: [f64; 2],
     problem: Problem,
 ) -> Compressed {
-    let size = 2 * mesh.panels * NODES;
-    let recursion = Recursion::new(legs, mesh, problem.sign());
+    let angle = if let Junction::Corner { angle } = junction { angle } else { PI };
+    let tangents = straight::compress(angle, mesh, problem);
     if legs.iter().all(Leg::is_straight) {
-        let (repeated, matrix) = fixed_point(&recursion, scales, size, STANDING);
-        return Compressed { innermost: matrix.clone(), matrix, steps: Vec::new(), repeated };
+        return tangents;
     }
-    let tangents = [0, 1].map(|k| legs[k].tangent_line());
-    let (repeated, innermost) =
-        fixed_point(&Recursion::new(&tangents, mesh, problem.sign()), scales, size, LEVEL_STANDING);
+    let tangents = tangents.with_speeds([legs[0].speed, legs[1].speed]);
+    let one = Interpolation::new(mesh);
+    let both = Interpolation { inner: one.inner.each_ref().map(on_both), outer: one.outer.each_ref().map(on_both) };
     // a level's error, of the order of its size, counts in proportion to its measure
     let order = 1.0 + problem.exponent(junction).min(1.0);
     let levels = (-LEVEL_TOLERANCE.log2() / order).ceil() as i32;
+    let Compressed { matrix: innermost, repeated, .. } = tangents;
     let mut matrix = innermost.clone();
     let mut steps = Vec::new();
     for k in (0..levels).rev() {
         let shrink = 0.5_f64.powi(k);
-        let level = recursion.level(scales.map(|scale| scale * shrink));
-        let (step, next) = recursion.step(&level, &matrix);
+        let level = level(legs, mesh, scales.map(|scale| scale * shrink), problem.sign());
+        let (step, next) = both.step(&level, &matrix);
         steps.push(step);
         matrix = next;
     }
     steps.reverse();
-    Compressed { matrix, steps, repeated, innermost }
+    Compressed { matrix, steps, repeated, innermost: Some(innermost) }
 }

@@ -54,7 +54,7 @@ impl BoundaryIntegral {
         {
             return None;
         }
-        let read = |(block, values): (&Block, Vec<f64>)| block_of(block.mesh, &values);
+        let read = |(block, values): (&Block, Vec<f64>)| block_of(block, curve, &values);
         let blocks = layout.blocks.iter().zip(floats).map(read).collect::<Option<Vec<_>>>()?;
         let system = System::factored(curve, &layout, blocks, factor);
         Some(Self { curve: curve.clone(), layout, system, outside, extent, duration_ms })
@@ -88,25 +88,30 @@ fn is_sound(layout: &Layout, curve: &Curve) -> bool {
 fn flat_block(block: &Compressed) -> Vec<f64> {
     let Compressed { matrix, steps, repeated, innermost } = block;
     let of_steps = std::iter::once(repeated).chain(steps).flat_map(|step| [&step.outer, &step.inner]);
-    let all = [matrix, innermost].into_iter().chain(of_steps);
+    let all = std::iter::once(matrix).chain(innermost).chain(of_steps);
     all.flat_map(|matrix| matrix.col_iter().flat_map(|column| column.iter().copied())).collect()
 }
 
-fn block_of(mesh: BlockMesh, values: &[f64]) -> Option<Compressed> {
+fn block_of(block: &Block, curve: &Curve, values: &[f64]) -> Option<Compressed> {
+    let mesh = block.mesh;
     let (size, outer) = (2 * mesh.panels * NODES, 2 * mesh.outer().len() * NODES);
     let (square, step) = (size * size, (outer + size) * size);
-    if values.len() < 2 * square + step || !(values.len() - 2 * square).is_multiple_of(step) {
+    let count = curve.pieces().len();
+    let pieces = [(block.junction + count - 1) % count, block.junction];
+    let squares = if pieces.iter().all(|&piece| curve.pieces()[piece].is_straight()) { 1 } else { 2 };
+    let (squares, steps) = values.split_at_checked(squares * square)?;
+    let matrix = |values: &[f64]| Mat::from_fn(values.len() / size, size, |i, j| values[j * (values.len() / size) + i]);
+    let mut squares = squares.chunks_exact(square).map(matrix);
+    if !steps.len().is_multiple_of(step) {
         return None;
     }
-    let (squares, steps) = values.split_at(2 * square);
-    let matrix = |values: &[f64]| Mat::from_fn(values.len() / size, size, |i, j| values[j * (values.len() / size) + i]);
     let mut steps = steps.chunks_exact(step).map(|values| {
         let (outer, inner) = values.split_at(outer * size);
         Step { outer: matrix(outer), inner: matrix(inner) }
     });
     Some(Compressed {
-        matrix: matrix(&squares[..square]),
-        innermost: matrix(&squares[square..]),
+        matrix: squares.next()?,
+        innermost: squares.next(),
         repeated: steps.next()?,
         steps: steps.collect(),
     })

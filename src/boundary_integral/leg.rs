@@ -51,6 +51,18 @@ impl Leg {
         Self { piece, is_incoming, length, speed }
     }
 
+    /// The straight leg from the origin to `end`, by arc length if that is of length 1.
+    pub fn straight(end: DVec2, is_incoming: bool) -> Self {
+        Self { piece: Piece::Line([DVec2::ZERO, end]), is_incoming, length: 1.0, speed: 1.0 }
+    }
+
+    /// A piece of length 1 by its parameter.
+    #[cfg(test)]
+    pub fn alone(piece: Piece) -> Self {
+        let speed = piece.jet(0.0).first.length();
+        Self { piece, is_incoming: false, length: 1.0, speed }
+    }
+
     pub fn is_straight(&self) -> bool {
         self.piece.is_straight()
     }
@@ -68,12 +80,6 @@ impl Leg {
             diagonal,
             weight: by_parameter * self.length,
         }
-    }
-
-    /// The leg's tangent at the junction as a straight leg with the same speed.
-    pub fn tangent_line(&self) -> Self {
-        let line = Piece::Line([DVec2::ZERO, self.piece.jet(0.0).first]);
-        Self { piece: line, is_incoming: self.is_incoming, length: self.length, speed: self.speed }
     }
 
     /// dz/dλ at t, in the direction away from the junction.

@@ -2,6 +2,7 @@
 //! interpolation to the two halves of a panel.
 
 use crate::geometry::gauss_legendre;
+use num_complex::Complex64;
 use std::sync::OnceLock;
 
 /// The number of nodes on a panel.
@@ -50,6 +51,57 @@ pub fn polynomials(x: f64) -> [f64; NODES + 1] {
     p
 }
 
+/// P₀ … P₁₅ at a complex point.
+pub fn complex_polynomials(z: Complex64) -> [Complex64; NODES] {
+    let mut p = [Complex64::ONE; NODES];
+    p[1] = z;
+    for k in 2..NODES {
+        p[k] = RECURRENCE[k][0] * z * p[k - 1] - RECURRENCE[k][1] * p[k - 2];
+    }
+    p
+}
+
+/// The parameter ρ ≥ 1 of the Bernstein ellipse through z: |z ± √(z² − 1)|, the larger one.
+pub fn bernstein(z: Complex64) -> f64 {
+    let rho = (z + (z * z - 1.0).sqrt()).norm();
+    rho.max(rho.recip())
+}
+
+/// Up to this ρ the recurrence forwards loses at most ρ³⁰ = 66 roundings.
+const FORWARDS: f64 = 1.15;
+
+/// ∫ Pₖ(t)/(z − t) dt = 2 Qₖ(z), k = 0 … 16; for z in [−1, 1] the real part is the principal value.
+///
+/// Qₖ is the minimal solution of the recurrence of Pₖ: away from the interval it is run backwards (Miller's algorithm),
+/// from where the other solution has died off.
+pub fn second_kind(z: Complex64) -> [Complex64; NODES + 1] {
+    let first = ((z + 1.0) / (z - 1.0)).ln();
+    let rho = bernstein(z);
+    let mut q = [first; NODES + 1];
+    if rho <= FORWARDS {
+        q[1] = z * first - 2.0;
+        for k in 1..NODES {
+            let n = k as f64;
+            q[k + 1] = ((2.0 * n + 1.0) * z * q[k] - n * q[k - 1]) / (n + 1.0);
+        }
+        return q;
+    }
+    let start = NODES + (20.0 / rho.ln()).ceil() as usize;
+    let (mut next, mut here) = (Complex64::ZERO, Complex64::from(f64::MIN_POSITIVE.sqrt()));
+    for k in (1..=start).rev() {
+        // here and next are proportional to Qₖ and Qₖ₊₁
+        let n = k as f64;
+        if k <= NODES {
+            q[k] = here;
+        }
+        (next, here) = (here, ((2.0 * n + 1.0) * z * here - (n + 1.0) * next) / n);
+    }
+    let scale = first / here;
+    q[1..].iter_mut().for_each(|q| *q *= scale);
+    q[0] = first;
+    q
+}
+
 /// The values at x of Σ cₖ Pₖ and of its integral from −1.
 pub fn series(coefficients: &Values, x: f64) -> (f64, f64) {
     let p = polynomials(x);
@@ -90,6 +142,11 @@ impl Rule {
         std::array::from_fn(|k| dot(&self.to_series[k], values))
     }
 
+    /// Row k: Legendre coefficient k from the values at the nodes.
+    pub fn to_series(&self) -> &[Values; NODES] {
+        &self.to_series
+    }
+
     /// The integrals from −1 to each node of the polynomial with these values at the nodes.
     pub fn integrals(&self, values: &Values) -> Values {
         std::array::from_fn(|i| dot(&self.from_left[i], values))
@@ -108,6 +165,28 @@ pub fn last_two(coefficients: &Values) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn functions_of_the_second_kind_are_integrals_of_polynomials() {
+        let z = |x: f64, y: f64| Complex64::new(x, y);
+        for z in [z(0.3, 0.05), z(1.1, 0.0), z(-0.2, -0.4), z(1.6, 0.1), z(0.0, 1.4), z(-1.01, 1e-3)] {
+            let found = second_kind(z);
+            // the interval in parts that are short against their distance from z
+            let parts = 4000;
+            let rule = gauss_legendre(NODES);
+            for (k, q) in found.into_iter().enumerate() {
+                let part = |i: i32| {
+                    let value = |(x, w): &(f64, f64)| {
+                        let t = -1.0 + (f64::from(2 * i + 1) + x) / f64::from(parts);
+                        w / f64::from(parts) * polynomials(t)[k] / (z - t)
+                    };
+                    rule.iter().map(value).sum::<Complex64>()
+                };
+                let expected: Complex64 = (0..parts).map(part).sum();
+                assert!((q - expected).norm() < 1e-13, "Q{k}({z}): {q}, expected {expected}");
+            }
+        }
+    }
 
     #[test]
     fn a_smooth_function_is_interpolated_and_integrated() {

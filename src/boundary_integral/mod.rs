@@ -11,6 +11,7 @@
 
 mod corner;
 mod elliptic;
+mod entries;
 mod error;
 mod factor;
 #[cfg(feature = "io")]
@@ -20,9 +21,11 @@ mod layout;
 mod leg;
 mod legendre;
 mod measure;
+mod panel;
 mod peak;
 mod span;
 mod spans;
+mod straight;
 mod system;
 
 use crate::geometry::{Curve, DVec2};
@@ -113,7 +116,7 @@ impl BoundaryIntegral {
     /// Divides the curve into panels, assembles and factors the equation. O(N³) for N unknowns, on one thread.
     pub fn prepare(curve: &Curve, settings: &Settings) -> Result<Self, BoundaryIntegralError> {
         let started = web_time::Instant::now();
-        let layout = layout(curve, &settings.near, settings.fineness, settings.max_unknowns)?;
+        let layout = layout(curve, &settings.near, (settings.fineness, Problem::Interior), settings.max_unknowns)?;
         let system = System::new(curve, &layout, Problem::Interior);
         let outside = outside_points(curve, &layout, &system);
         let origin = curve.pieces()[0].jet(0.0).position;
@@ -124,7 +127,7 @@ impl BoundaryIntegral {
 
     /// Whether the curve can be divided within the limit of `settings`; a part of what [`Self::prepare`] costs.
     pub fn check(curve: &Curve, settings: &Settings) -> Result<(), BoundaryIntegralError> {
-        layout(curve, &settings.near, settings.fineness, settings.max_unknowns).map(|_| ())
+        layout(curve, &settings.near, (settings.fineness, Problem::Interior), settings.max_unknowns).map(|_| ())
     }
 
     /// Whether the panels resolve harmonic measure from `x`, which may lie next to the boundary.

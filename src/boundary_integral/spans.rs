@@ -79,7 +79,7 @@ fn block_spans(
         density = &step.inner * &density;
         shrink *= 0.5;
     }
-    let rest = leg_measures(curve, block, &(&compressed.innermost * &density));
+    let rest = leg_measures(curve, block, &(compressed.innermost() * &density));
     for leg in 0..2 {
         let to = block.scales[leg] * shrink * block.mesh.panels as f64;
         spans[leg].push(Span::rest(pieces[leg], ends[leg], to, shrink * rest[leg].0, exponent, rounding[leg]));
@@ -143,7 +143,15 @@ fn tail(coefficients: &Values) -> f64 {
 /// stands for; of the projection where the panel belongs to a block; and of the spans.
 pub fn unresolved(curve: &Curve, layout: &Layout, spans: &[Span], (transformed, peaks): (&[f64], &Peaks)) -> f64 {
     let rule = Rule::get();
+    // the outer panels of a block are those of its finer mesh: no polynomial of the transformed density is used there
+    let is_kept = |index: usize, block: &Block| {
+        let q = block.mesh.panels;
+        block.panels.iter().position(|&panel| panel == index).is_some_and(|k| q > 1 && k % q >= q / 2)
+    };
     let of_panel = |(index, panel): (usize, &Panel)| {
+        if panel.block.is_some_and(|block| is_kept(index, &layout.blocks[block])) {
+            return 0.0;
+        }
         let half = 0.5 * (panel.to - panel.from) * curve.lengths()[panel.piece];
         let mut coefficients = rule.coefficients(&std::array::from_fn(|i| half * transformed[index * NODES + i]));
         let mut within_block = 0.0;
@@ -160,6 +168,7 @@ pub fn unresolved(curve: &Curve, layout: &Layout, spans: &[Span], (transformed, 
         let density = densities.iter().fold(0.0_f64, |most, density| most.max(density.abs()));
         DISPLACEMENT * density * spline.left_open(ends, [panel.from, panel.to])
     };
+    if std::env::var("PROBE").is_ok() { for (i, p) in layout.panels.iter().enumerate() { println!("panel {i} piece {} {:?} {:.5}..{:.5} block {:?} tail {:.1e}", p.piece, p.end, p.from, p.to, p.block, of_panel((i, p))); } for s in spans { if let Some(c) = s.coefficients() { let t = UNRESOLVED * tail(c); if t > 1e-12 { println!("span piece {} {:?} {:.3e}..{:.3e} {:.1e} of {:.1e}", s.piece, s.end, s.from, s.to, t, s.measure); } } } }
     let of_panels = layout.panels.iter().enumerate().map(of_panel).fold(0.0, f64::max);
     let of_spans = spans.iter().filter_map(Span::coefficients).map(tail).fold(0.0, f64::max);
     let of_splines = layout.panels.iter().enumerate().map(of_spline).fold(0.0, f64::max);

@@ -2,43 +2,14 @@
 
 use super::corner::{Compressed, Problem, compress};
 use super::factor::DenseFactor;
-use super::layout::{End, Layout, Panel};
+use super::entries::Entries;
+use super::layout::Layout;
 use super::leg::{Leg, Node, kernel};
-use super::legendre::{NODES, Rule};
+use super::legendre::NODES;
+use super::panel::PanelNodes;
 use super::peak::Peaks;
 use crate::geometry::{Curve, DVec2, Junction};
 use faer::Mat;
-
-/// The nodes of one panel, in the order of its parameter.
-#[derive(Debug, Clone)]
-pub struct PanelNodes {
-    /// The junction that offsets are relative to.
-    pub junction: usize,
-    /// The nodes.
-    pub nodes: [Node; NODES],
-    /// The nodes relative to the panel's first and last point in the direction of the curve.
-    ends: [[DVec2; NODES]; 2],
-}
-
-impl PanelNodes {
-    fn new(curve: &Curve, panel: &Panel) -> Self {
-        let rule = Rule::get();
-        let is_incoming = panel.end == End::Finish;
-        let leg = Leg::new(curve, panel.piece, is_incoming);
-        let half = 0.5 * (panel.to - panel.from);
-        let at = |k: usize| panel.from + half * (1.0 + rule.nodes[k]);
-        let slopes: [DVec2; NODES] = std::array::from_fn(|k| half * leg.length * leg.outward(at(k)));
-        let [x, y] = [0, 1].map(|i| rule.integrals(&std::array::from_fn(|k| slopes[k][i])));
-        let whole: DVec2 = slopes.iter().zip(rule.weights).map(|(d, w)| w * *d).sum();
-        let near: [DVec2; NODES] = std::array::from_fn(|k| DVec2::new(x[k], y[k]));
-        let far = near.map(|offset| offset - whole);
-        Self {
-            junction: if is_incoming { (panel.piece + 1) % curve.pieces().len() } else { panel.piece },
-            nodes: std::array::from_fn(|k| leg.node(at(k), half * rule.weights[k])),
-            ends: if is_incoming { [far, near] } else { [near, far] },
-        }
-    }
-}
 
 /// A factored system.
 #[derive(Debug)]
@@ -57,7 +28,10 @@ impl System {
         let panels: Vec<PanelNodes> = layout.panels.iter().map(|panel| PanelNodes::new(curve, panel)).collect();
         let bases: Vec<DVec2> = curve.pieces().iter().map(|piece| piece.jet(0.0).position).collect();
         let blocks = compressed_blocks(curve, layout, problem);
-        let mut matrix = kernels(curve, layout, &panels, &bases, problem.sign());
+        let entries = Entries::new(curve, layout, (&panels, &bases), problem);
+        let all: Vec<usize> = (0..entries.len()).collect();
+        let mut matrix = Mat::zeros(all.len(), all.len());
+        entries.for_each(&all, &all, |i, j, value| matrix[(i, j)] = value);
         for (rows, compressed) in &blocks {
             multiply_columns(&mut matrix, rows, &compressed.matrix);
         }
@@ -123,8 +97,7 @@ impl System {
 
     /// The lengths of the panels.
     pub fn panel_lengths(&self) -> Vec<f64> {
-        let length = |panel: &PanelNodes| panel.nodes.iter().map(|node| node.weight * node.normal.length()).sum();
-        self.panels.iter().map(length).collect()
+        self.panels.iter().map(PanelNodes::length).collect()
     }
 
     /// Σ q log|s − a| over the charges.
@@ -223,66 +196,4 @@ fn compressed_blocks(curve: &Curve, layout: &Layout, problem: Problem) -> Vec<(V
     };
     let rows = |panels: &[usize]| panels.iter().map(|panel| panel * NODES).collect();
     layout.blocks.iter().map(|block| (rows(&block.panels), compressed(block))).collect()
-}
-
-/// ± K° with weights: zero within blocks and within straight lines.
-fn kernels(curve: &Curve, layout: &Layout, panels: &[PanelNodes], bases: &[DVec2], sign: f64) -> Mat<f64> {
-    let size = panels.len() * NODES;
-    let mut matrix = Mat::zeros(size, size);
-    let count = panels.len();
-    for (b, source) in panels.iter().enumerate() {
-        for (a, target) in panels.iter().enumerate() {
-            let (p, q) = (&layout.panels[a], &layout.panels[b]);
-            let in_one_line = p.piece == q.piece && curve.pieces()[p.piece].is_straight();
-            if in_one_line || (p.block.is_some() && p.block == q.block) {
-                continue;
-            }
-            let pair = Pair {
-                difference: bases[target.junction] - bases[source.junction],
-                is_same: a == b,
-                // the target's offsets from its first point and the source's from its last one, or the other way round
-                shared: if count < 3 { None } else { shared_end(a, b, count) },
-            };
-            for j in 0..NODES {
-                for i in 0..NODES {
-                    let value = pair.kernel(target, source, i, j);
-                    matrix[(a * NODES + i, b * NODES + j)] = sign * value * source.nodes[j].weight;
-                }
-            }
-        }
-    }
-    matrix
-}
-
-/// Which end of the target panel is an end of the source panel, if they are neighbours: 0 the first, 1 the last.
-fn shared_end(target: usize, source: usize, count: usize) -> Option<usize> {
-    if (source + 1) % count == target {
-        Some(0)
-    } else if (target + 1) % count == source {
-        Some(1)
-    } else {
-        None
-    }
-}
-
-/// How differences of nodes of two panels are formed.
-struct Pair {
-    difference: DVec2,
-    is_same: bool,
-    shared: Option<usize>,
-}
-
-impl Pair {
-    fn kernel(&self, target: &PanelNodes, source: &PanelNodes, i: usize, j: usize) -> f64 {
-        let (y, s) = (&target.nodes[i], &source.nodes[j]);
-        if self.is_same && i == j {
-            return y.diagonal;
-        }
-        let difference = match self.shared {
-            _ if self.is_same => target.ends[0][i] - source.ends[0][j],
-            Some(end) => target.ends[end][i] - source.ends[1 - end][j],
-            None => self.difference + (y.offset - s.offset),
-        };
-        kernel(y.normal, difference)
-    }
 }

@@ -3,16 +3,14 @@
 use super::distance::Distances;
 use super::shape::Shape;
 use super::{Block, End, Fineness, Layout, Panel};
-use crate::boundary_integral::corner::BlockMesh;
+use crate::boundary_integral::corner::{BlockMesh, Problem};
 use crate::boundary_integral::leg::Leg;
 use crate::geometry::{Curve, DVec2, Junction};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Legs that are less than [`Fineness::blunt`] apart, inside or outside, have two panels on each leg of a block, and less
-/// than `NARROW` four: the panel beyond the block must be distant from the other leg.
-const NARROW: f64 = 0.3;
-/// Below it, two panels instead of four leave errors of 1e-14 and more, and the finer mesh has four.
+/// Legs that are less than [`Fineness::blunt`] apart, inside or outside, have two panels on each leg of a block. Below
+/// this angle two panels instead of four leave errors of 1e-14 and more, and the finer mesh has four.
 const ACUTE: f64 = 0.7;
 /// Two blocks that leave less of a piece between them meet.
 const NOTHING_BETWEEN: f64 = 1e-9;
@@ -24,7 +22,6 @@ fn block_mesh(junction: Junction, fineness: Fineness) -> BlockMesh {
     let finer = if fineness.blocks_are_fine { 2 } else { 1 };
     let panels = match junction {
         Junction::Corner { angle } => match angle.min(TAU - angle) {
-            between if between < NARROW => 4,
             between if between < fineness.blunt.min(ACUTE) => 2 * finer,
             between if between < fineness.blunt => 2,
             _ => finer,
@@ -39,6 +36,7 @@ pub struct Draft<'a> {
     curve: &'a Curve,
     near: &'a [DVec2],
     fineness: Fineness,
+    problem: Problem,
     meshes: Vec<Option<BlockMesh>>,
     /// The length of the panels of each junction's block.
     sizes: Vec<f64>,
@@ -49,7 +47,7 @@ pub struct Draft<'a> {
 }
 
 impl<'a> Draft<'a> {
-    pub fn new(curve: &'a Curve, near: &'a [DVec2], fineness: Fineness) -> Self {
+    pub fn new(curve: &'a Curve, near: &'a [DVec2], fineness: Fineness, problem: Problem) -> Self {
         let count = curve.pieces().len();
         let mesh = |junction: &Junction| (*junction != Junction::Analytic).then(|| block_mesh(*junction, fineness));
         let meshes: Vec<Option<BlockMesh>> = curve.junctions().iter().map(mesh).collect();
@@ -61,7 +59,8 @@ impl<'a> Draft<'a> {
             fineness.block * reach(&a).min(reach(&b)) / mesh.panels as f64
         };
         let sizes = (0..count).map(size).collect();
-        let mut draft = Self { curve, near, fineness, meshes, sizes, between: Vec::new(), known: BTreeMap::new() };
+        let (between, known) = (Vec::new(), BTreeMap::new());
+        let mut draft = Self { curve, near, fineness, problem, meshes, sizes, between, known };
         draft.between = (0..count).map(|piece| draft.between_blocks(piece)).collect();
         draft
     }
@@ -136,24 +135,24 @@ impl<'a> Draft<'a> {
     /// Splits every panel that is too long, or deviates from a spline by more than `tolerance`; whether there was one.
     pub fn split(&mut self, layout: &Layout, tolerance: f64) -> bool {
         let shapes = self.shapes(layout);
-        let distances = Distances::new(self.curve, self.fineness, layout, &shapes);
+        let distances = Distances::new(self.curve, (self.fineness, self.problem), layout, &shapes);
         let is_too_long = |k: usize| {
             shapes[k].is_unresolved(self.fineness.tail, tolerance)
                 || shapes[k].is_long_beside(self.near, self.fineness.nearness)
                 || distances.is_too_long(k)
         };
         let too_long: Vec<bool> = (0..shapes.len()).map(is_too_long).collect();
-        let mut halved = vec![false; layout.blocks.len()];
+        let mut halved: Vec<bool> = layout.blocks.iter().map(|block| distances.is_crowded(block)).collect();
         for (panel, _) in layout.panels.iter().zip(&too_long).filter(|(_, long)| **long) {
             if let Some(block) = panel.block {
                 halved[block] = true;
             }
         }
         self.bisect(layout, &too_long);
-        for (block, _) in layout.blocks.iter().zip(halved).filter(|(_, halved)| *halved) {
+        for (block, _) in layout.blocks.iter().zip(&halved).filter(|(_, halved)| **halved) {
             self.halve(block.junction);
         }
-        too_long.contains(&true)
+        too_long.contains(&true) || halved.contains(&true)
     }
 
     /// The shapes of the panels; those of the last round are known.

@@ -1,12 +1,12 @@
 //! Where the panels lie: compressed blocks at the junctions, and panels between them that are split until the curve is
-//! resolved, and until each is short against its distance from all parts of the boundary that are not its neighbours.
+//! resolved, and until each is short against the width of the problem's side and its distance from corners (`distance`).
 
 mod distance;
 mod draft;
 mod shape;
 
 use super::BoundaryIntegralError;
-use super::corner::BlockMesh;
+use super::corner::{BlockMesh, Problem};
 use super::legendre::NODES;
 use crate::geometry::{Curve, DVec2, Piece};
 use draft::Draft;
@@ -96,18 +96,18 @@ const COMPACT_FROM: usize = 1024;
 pub fn layout(
     curve: &Curve,
     near: &[DVec2],
-    fineness: Fineness,
+    (fineness, problem): (Fineness, Problem),
     limit: usize,
 ) -> Result<Layout, BoundaryIntegralError> {
     let least = curve.pieces().len() * NODES;
     if least > limit {
         return Err(BoundaryIntegralError::TooManyUnknowns { needed: least, limit });
     }
-    let mut draft = Draft::new(curve, near, fineness);
+    let mut draft = Draft::new(curve, near, fineness, problem);
     let mut best = refined(&mut draft, SPLINE_TOLERANCES[0], limit);
     let is_large = |layout: &Layout| layout.panels.len() * NODES > COMPACT_FROM;
     if fineness == Fineness::STANDARD && best.as_ref().map_or(true, is_large) {
-        draft = Draft::new(curve, near, Fineness::COMPACT);
+        draft = Draft::new(curve, near, Fineness::COMPACT, problem);
         best = refined(&mut draft, SPLINE_TOLERANCES[0], limit);
     }
     let mut best = best?;

@@ -1,17 +1,23 @@
 //! The shape of one panel: where it lies, how long it is, and how well 16 nodes resolve it.
 
 use super::{End, Panel};
+use crate::boundary_integral::corner::Problem;
 use crate::boundary_integral::leg::Leg;
 use crate::boundary_integral::legendre::{NODES, Rule, last_two, series};
-use crate::geometry::{Curve, DVec2, Piece};
+use crate::geometry::{Curve, DVec2, Jet, Piece};
 
 /// The number of points of a panel that distances are taken from.
 const POINTS: usize = 7;
+
+/// The least sine of the angles at which two points face each other.
+const FACING: f64 = 0.05;
 
 /// The shape of a panel.
 #[derive(Debug, Clone)]
 pub struct Shape {
     points: [DVec2; POINTS],
+    /// The outward normals there.
+    normals: [DVec2; POINTS],
     center: DVec2,
     radius: f64,
     pub length: f64,
@@ -33,12 +39,13 @@ impl Shape {
         let piece = &curve.pieces()[panel.piece];
         let at = |t: f64| if panel.end == End::Start { t } else { 1.0 - t };
         let step = (panel.to - panel.from) / (POINTS - 1) as f64;
-        let points: [DVec2; POINTS] = std::array::from_fn(|k| piece.jet(at(panel.from + step * k as f64)).position);
+        let jets: [Jet; POINTS] = std::array::from_fn(|k| piece.jet(at(panel.from + step * k as f64)));
+        let (points, normals) = (jets.map(|jet| jet.position), jets.map(|jet| -jet.first.perp().normalize_or_zero()));
         let center = points[POINTS / 2];
         let radius = points.iter().map(|p| p.distance(center)).fold(0.0, f64::max);
         // the cubic correction of inscribed chords is below 1 % here
         let length = points.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
-        Self { points, center, radius, length, resolution: Resolution::of(curve, panel) }
+        Self { points, normals, center, radius, length, resolution: Resolution::of(curve, panel) }
     }
 
     /// Whether the panel's polynomials are too far from the curve: `tail` of an analytic one, `tolerance` of a spline.
@@ -54,18 +61,42 @@ impl Shape {
         near.iter().any(|x| self.length > nearness * self.distance_to(*x))
     }
 
-    /// A lower bound of the distance.
+    /// Whether a part of the panel may lie within this distance of a point.
+    pub fn may_be_within(&self, x: DVec2, distance: f64) -> bool {
+        self.center.distance(x) <= self.radius + distance
+    }
+
+    /// A lower bound of the distance from any part of another panel.
     pub fn gap(&self, other: &Self) -> f64 {
         self.center.distance(other.center) - self.radius - other.radius
     }
 
-    pub fn distance(&self, other: &Self) -> f64 {
-        other.points.iter().map(|&x| self.distance_to(x)).fold(f64::INFINITY, f64::min)
+    /// The distance across the side in which the problem lives: of points that face each other there.
+    pub fn distance_across(&self, other: &Self, problem: Problem) -> f64 {
+        let mut least = f64::INFINITY;
+        for (p, m) in self.points.iter().zip(self.normals) {
+            for (q, n) in other.points.iter().zip(other.normals) {
+                let (difference, sign) = (*q - *p, problem.sign());
+                let distance = difference.length();
+                let is_facing = |towards: f64| sign * towards < -FACING * distance;
+                if distance < least && is_facing(m.dot(difference)) && is_facing(-n.dot(difference)) {
+                    least = distance;
+                }
+            }
+        }
+        least
     }
 
-    fn distance_to(&self, x: DVec2) -> f64 {
-        self.points.iter().map(|p| p.distance(x)).fold(f64::INFINITY, f64::min)
+    /// The distance of a point from the polygon through the panel's points.
+    pub fn distance_to(&self, x: DVec2) -> f64 {
+        self.points.windows(2).map(|pair| distance_to_segment(x, pair[0], pair[1])).fold(f64::INFINITY, f64::min)
     }
+}
+
+fn distance_to_segment(x: DVec2, a: DVec2, b: DVec2) -> f64 {
+    let along = b - a;
+    let t = ((x - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+    x.distance(a + t * along)
 }
 
 /// What a spline leaves open of z′ between its knots, as a share of the jump of z‴ times the square of the interval:
