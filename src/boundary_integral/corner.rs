@@ -24,6 +24,7 @@ use crate::geometry::{DVec2, Junction};
 use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve as _};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// Which equation is solved: σ + K σ, of the interior, or σ − K σ, of the exterior.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -85,6 +86,36 @@ impl Compressed {
     /// R of a small block, after all steps of curved legs.
     pub fn innermost(&self) -> &Mat<f64> {
         self.innermost.as_ref().unwrap_or(&self.matrix)
+    }
+}
+
+/// A compressed block and its place among the nodes.
+#[derive(Debug, Clone)]
+pub struct PlacedBlock {
+    /// The first node of each panel, in the block's order.
+    pub rows: Vec<usize>,
+    /// Blocks of straight legs with one angle share it.
+    pub compressed: Arc<Compressed>,
+}
+
+impl PlacedBlock {
+    /// The nodes in the block's order.
+    pub fn nodes(&self) -> impl Iterator<Item = usize> + '_ {
+        self.rows.iter().flat_map(|&row| row..row + NODES)
+    }
+
+    /// The values at the block's nodes.
+    pub fn gather(&self, values: &[f64]) -> Mat<f64> {
+        Mat::from_fn(self.rows.len() * NODES, 1, |k, _| values[self.rows[k / NODES] + k % NODES])
+    }
+
+    /// Multiplies the block's columns, which lie at `places`, by its matrix.
+    pub fn multiply_columns(&self, matrix: &mut Mat<f64>, places: &[usize]) {
+        let part = Mat::from_fn(matrix.nrows(), places.len(), |i, k| matrix[(i, places[k])]);
+        let product = &part * &self.compressed.matrix;
+        for (k, &column) in places.iter().enumerate() {
+            matrix.col_as_slice_mut(column).copy_from_slice(product.col_as_slice(k));
+        }
     }
 }
 

@@ -1,5 +1,7 @@
 //! The entries of ± K°, with weights: zero within blocks and within straight lines, integrals that are exact for
 //! polynomials where a node lies near a panel, and the kernel times the weight elsewhere.
+//!
+//! The singular system of the exterior is completed by the total charge, times |z′|/length: its solution has total 1.
 
 use super::corner::Problem;
 use super::layout::{Layout, Panel};
@@ -7,6 +9,7 @@ use super::leg::kernel;
 use super::legendre::{NODES, Values};
 use super::panel::PanelNodes;
 use crate::geometry::{Curve, DVec2};
+use std::ops::Range;
 
 /// K° between the nodes of a layout.
 #[derive(Debug)]
@@ -19,6 +22,10 @@ pub struct Entries<'a> {
     sign: f64,
     /// For each node the panels near it, in ascending order, and the weights of each.
     close: Vec<Vec<(u32, Values)>>,
+    /// For each panel the nodes near it.
+    close_nodes: Vec<Vec<u32>>,
+    /// The factor of the total charge: 1/length for the exterior, else 0.
+    completion: f64,
 }
 
 impl<'a> Entries<'a> {
@@ -30,8 +37,17 @@ impl<'a> Entries<'a> {
         problem: Problem,
     ) -> Self {
         let is_straight = curve.pieces().iter().map(crate::geometry::Piece::is_straight).collect();
-        let close = vec![Vec::new(); panels.len() * NODES];
-        let mut entries = Self { layout, panels, bases, is_straight, sign: problem.sign(), close };
+        let weights = panels.iter().flat_map(|panel| panel.nodes.iter().map(|node| node.weight));
+        let mut entries = Self {
+            layout,
+            panels,
+            bases,
+            is_straight,
+            sign: problem.sign(),
+            close: vec![Vec::new(); panels.len() * NODES],
+            close_nodes: vec![Vec::new(); panels.len()],
+            completion: if problem == Problem::Exterior { weights.sum::<f64>().recip() } else { 0.0 },
+        };
         entries.integrate_close();
         entries
     }
@@ -53,6 +69,7 @@ impl<'a> Entries<'a> {
                     let differences = std::array::from_fn(|j| pair.difference(i, j));
                     if let Some(weights) = source.slope.close_weights(y.normal, &differences, source.rate) {
                         self.close[a * NODES + i].push((b as u32, weights));
+                        self.close_nodes[b].push((a * NODES + i) as u32);
                     }
                 }
             }
@@ -69,7 +86,55 @@ impl<'a> Entries<'a> {
         self.close[node].iter().map(|(panel, _)| *panel as usize)
     }
 
-    /// Whether all entries from panel `b` to panel `a` are 0.
+    /// The nodes that are near to a panel.
+    pub fn close_nodes(&self, panel: usize) -> &[u32] {
+        &self.close_nodes[panel]
+    }
+
+    /// The weight of a node.
+    pub fn weight(&self, node: usize) -> f64 {
+        self.panels[node / NODES].nodes[node % NODES].weight
+    }
+
+    /// The place of a node.
+    pub fn place(&self, node: usize) -> DVec2 {
+        let panel = &self.panels[node / NODES];
+        self.bases[panel.junction] + panel.nodes[node % NODES].offset
+    }
+
+    /// The outward normal at a node, times |dz/dλ|.
+    pub fn normal(&self, node: usize) -> DVec2 {
+        self.panels[node / NODES].nodes[node % NODES].normal
+    }
+
+    /// The factor of the total charge in a node's equation.
+    pub fn completion(&self, node: usize) -> f64 {
+        if self.completion > 0.0 { self.completion * self.normal(node).length() } else { 0.0 }
+    }
+
+    /// The panels of each block, and the other ones alone, in the order of the curve; panels after the last one count on
+    /// from the first. The first block may begin before the first panel.
+    pub fn atoms(&self) -> Vec<Range<usize>> {
+        let count = self.panels.len();
+        let block = |panel: usize| self.layout.panels[panel % count].block;
+        let is_joined = |a: usize, b: usize| block(a).is_some() && block(a) == block(b);
+        let start = (0..count).rev().take_while(|&panel| is_joined(panel, 0)).last().unwrap_or(0);
+        let mut atoms: Vec<Range<usize>> = Vec::new();
+        for panel in start..start + count {
+            match atoms.last_mut() {
+                Some(last) if is_joined(last.start, panel) => last.end = panel + 1,
+                _ => atoms.push(panel..panel + 1),
+            }
+        }
+        atoms
+    }
+
+    /// The block that a node belongs to.
+    pub fn block(&self, node: usize) -> Option<usize> {
+        self.layout.panels[node / NODES].block
+    }
+
+    /// Whether K from panel `b` to panel `a` is 0.
     fn is_zero(&self, a: usize, b: usize) -> bool {
         let (p, q): (&Panel, &Panel) = (&self.layout.panels[a], &self.layout.panels[b]);
         let in_one_line = p.piece == q.piece && self.is_straight[p.piece];
@@ -97,15 +162,21 @@ impl<'a> Entries<'a> {
             let mut first_column = 0;
             for columns in columns.chunk_by(panel) {
                 let (a, b) = (rows[0] / NODES, columns[0] / NODES);
-                if !self.is_zero(a, b) {
+                let is_zero = self.is_zero(a, b);
+                if !is_zero || self.completion > 0.0 {
                     let pair = self.pair(a, b);
                     for (k, &i) in rows.iter().enumerate() {
                         let close = self.close[i].binary_search_by_key(&(b as u32), |(panel, _)| *panel);
                         let close = close.ok().map(|k| &self.close[i][k].1);
+                        let completion = self.completion(i);
                         for (l, &j) in columns.iter().enumerate() {
-                            let plain = || pair.kernel(i % NODES, j % NODES) * pair.source.nodes[j % NODES].weight;
-                            let value = close.map_or_else(plain, |weights| weights[j % NODES]);
-                            write(first_row + k, first_column + l, self.sign * value);
+                            let weight = pair.source.nodes[j % NODES].weight;
+                            let value = match close {
+                                _ if is_zero => 0.0,
+                                Some(weights) => weights[j % NODES],
+                                None => pair.kernel(i % NODES, j % NODES) * weight,
+                            };
+                            write(first_row + k, first_column + l, self.sign * value + completion * weight);
                         }
                     }
                 }

@@ -1,12 +1,108 @@
-//! The LU factor of a dense matrix, P A = L U, in one array, so that it can move between threads and workers.
+//! The factor of the system's matrix: dense for few unknowns, hierarchical for many.
+//!
+//! The LU factor of a dense matrix, P A = L U, is in one array, so that it can move between threads and workers.
 //!
 //! L has unit diagonal and lies below the diagonal of the array, U on and above it; columns follow one another.
 
+use super::corner::{PlacedBlock, add_identity};
+use super::entries::Entries;
+use super::hierarchical::HierarchicalFactor;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
 use faer::{Mat, MatMut, Par, Spec};
 
-/// A factored matrix.
+/// The unknowns from which on the factor is hierarchical. For 2,400 unknowns of a hand the dense one takes 0.5 s and this
+/// one 1.4 s, for 4,000 both take about 2 s, for 12,300 of a coast this one takes 2 s and the dense one a minute.
+const HIERARCHICAL_FROM: usize = 4096;
+
+/// A factored matrix I + K° R.
+#[derive(Debug, Clone)]
+pub enum Factor {
+    /// Few unknowns.
+    Dense(DenseFactor),
+    /// Many.
+    Hierarchical(HierarchicalFactor),
+}
+
+impl Factor {
+    /// Factors the matrix with these entries and blocks.
+    pub fn new(entries: &Entries<'_>, blocks: &[PlacedBlock]) -> Self {
+        if entries.len() >= HIERARCHICAL_FROM {
+            return Self::Hierarchical(HierarchicalFactor::new(entries, blocks));
+        }
+        let all: Vec<usize> = (0..entries.len()).collect();
+        let mut matrix = Mat::zeros(all.len(), all.len());
+        entries.for_each(&all, &all, |i, j, value| matrix[(i, j)] = value);
+        for block in blocks {
+            let places: Vec<usize> = block.nodes().collect();
+            block.multiply_columns(&mut matrix, &places);
+        }
+        add_identity(&mut matrix);
+        Self::Dense(DenseFactor::new(&matrix))
+    }
+
+    /// A⁻¹ times `right`.
+    pub fn solve(&self, right: &[f64]) -> Vec<f64> {
+        match self {
+            Self::Dense(factor) => factor.solve(right),
+            Self::Hierarchical(factor) => factor.solve(right),
+        }
+    }
+
+    /// The number of unknowns.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Dense(factor) => factor.len(),
+            Self::Hierarchical(factor) => factor.len(),
+        }
+    }
+}
+
+/// A factor as flat arrays.
+#[cfg(feature = "io")]
+#[derive(Debug, Clone, Default)]
+pub struct FlatFactor {
+    /// Of a dense factor its values; of a hierarchical one the matrices of each level, and the values of the top.
+    pub floats: Vec<Vec<f64>>,
+    /// The number of levels, the permutation's length, the permutation, and what the levels need.
+    pub integers: Vec<u32>,
+}
+
+#[cfg(feature = "io")]
+impl Factor {
+    /// The factor as flat arrays.
+    pub fn to_flat(&self) -> FlatFactor {
+        match self {
+            Self::Hierarchical(factor) => factor.to_flat(),
+            Self::Dense(factor) => {
+                let integers = [0, factor.len() as u32].into_iter().chain(factor.rows.iter().copied()).collect();
+                FlatFactor { floats: vec![factor.values.clone()], integers }
+            }
+        }
+    }
+
+    /// The factor from flat arrays; `None` unless [`Self::to_flat`] may have written them.
+    pub fn from_flat(flat: FlatFactor) -> Option<Self> {
+        if *flat.integers.first()? > 0 {
+            return HierarchicalFactor::from_flat(flat).map(Self::Hierarchical);
+        }
+        let rows = flat.integers.get(2..)?.to_vec();
+        let is_sound = flat.integers[1] as usize == rows.len() && flat.floats.len() == 1;
+        let values = flat.floats.into_iter().next().filter(|_| is_sound)?;
+        DenseFactor::from_arrays(values, rows).map(Self::Dense)
+    }
+}
+
+/// Whether all of 0 … n − 1 are there once.
+#[cfg(feature = "io")]
+pub fn is_permutation(indices: &[u32]) -> bool {
+    let mut is_there = vec![false; indices.len()];
+    indices.iter().all(|&index| {
+        is_there.get_mut(index as usize).is_some_and(|there| !std::mem::replace(there, true))
+    })
+}
+
+/// The LU factor of a dense matrix.
 #[derive(Debug, Clone)]
 pub struct DenseFactor {
     values: Vec<f64>,
@@ -29,11 +125,7 @@ impl DenseFactor {
     /// The factor from its arrays; `None` unless they are n² finite values and a permutation of n rows.
     #[cfg(feature = "io")]
     pub fn from_arrays(values: Vec<f64>, rows: Vec<u32>) -> Option<Self> {
-        let mut is_there = vec![false; rows.len()];
-        for &row in &rows {
-            *is_there.get_mut(row as usize)? = true;
-        }
-        let is_sound = is_there.iter().all(|&there| there)
+        let is_sound = is_permutation(&rows)
             && Some(values.len()) == rows.len().checked_mul(rows.len())
             && values.iter().all(|value| value.is_finite());
         is_sound.then_some(Self { values, rows })

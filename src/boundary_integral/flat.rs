@@ -4,24 +4,25 @@
 //! The curve does not travel: the receiver has the outline, and evaluates it as the sender did.
 
 use super::BoundaryIntegral;
-use super::corner::{BlockMesh, Compressed, Step};
-use super::factor::DenseFactor;
+use super::corner::{Compressed, Step};
+use super::factor::{Factor, FlatFactor};
 use super::layout::{Block, Layout, Panel};
 use super::legendre::NODES;
 use super::system::System;
 use crate::geometry::{Curve, DVec2};
 use faer::Mat;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// A [`BoundaryIntegral`] without its curve.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct FlatIntegral {
-    /// The factor's values, then of each block its matrix, the innermost one, and the steps.
+    /// The factor's values, then for each block one array: its matrix, the innermost one, and the steps.
     #[serde(skip)]
     pub floats: Vec<Vec<f64>>,
-    /// The factor's permutation.
+    /// The factor's orders and sizes.
     #[serde(skip)]
-    pub rows: Vec<u32>,
+    pub integers: Vec<u32>,
     layout: Layout,
     outside: Vec<DVec2>,
     extent: f64,
@@ -31,11 +32,11 @@ pub(crate) struct FlatIntegral {
 impl BoundaryIntegral {
     /// The equation as flat arrays.
     pub(crate) fn to_flat(&self) -> FlatIntegral {
-        let (values, rows) = self.system.factor().arrays();
-        let blocks = self.system.blocks().iter().map(|(_, block)| flat_block(block));
+        let FlatFactor { mut floats, integers } = self.system.factor().to_flat();
+        floats.extend(self.system.blocks().iter().map(|block| flat_block(&block.compressed)));
         FlatIntegral {
-            floats: std::iter::once(values.to_vec()).chain(blocks).collect(),
-            rows: rows.to_vec(),
+            floats,
+            integers,
             layout: self.layout.clone(),
             outside: self.outside.clone(),
             extent: self.extent,
@@ -45,17 +46,14 @@ impl BoundaryIntegral {
 
     /// The equation of `curve` from flat arrays; `None` unless [`Self::to_flat`] wrote them for this curve.
     pub(crate) fn from_flat(curve: &Curve, flat: FlatIntegral) -> Option<Self> {
-        let FlatIntegral { floats, rows, layout, outside, extent, duration_ms } = flat;
-        let mut floats = floats.into_iter();
-        let factor = DenseFactor::from_arrays(floats.next()?, rows)?;
-        if !is_sound(&layout, curve)
-            || factor.len() != layout.panels.len() * NODES
-            || floats.len() != layout.blocks.len()
-        {
+        let FlatIntegral { mut floats, integers, layout, outside, extent, duration_ms } = flat;
+        let blocks = floats.split_off(floats.len().checked_sub(layout.blocks.len())?);
+        let factor = Factor::from_flat(FlatFactor { floats, integers })?;
+        if !is_sound(&layout, curve) || factor.len() != layout.panels.len() * NODES {
             return None;
         }
-        let read = |(block, values): (&Block, Vec<f64>)| block_of(block, curve, &values);
-        let blocks = layout.blocks.iter().zip(floats).map(read).collect::<Option<Vec<_>>>()?;
+        let read = |(block, values): (&Block, Vec<f64>)| block_of(block, curve, &values).map(Arc::new);
+        let blocks = layout.blocks.iter().zip(blocks).map(read).collect::<Option<Vec<_>>>()?;
         let system = System::factored(curve, &layout, blocks, factor);
         Some(Self { curve: curve.clone(), layout, system, outside, extent, duration_ms })
     }
@@ -158,7 +156,8 @@ mod tests {
             assert!(BoundaryIntegral::from_flat(integral.curve(), flat).is_none());
         };
         refused(&|flat| flat.floats.truncate(1));
-        refused(&|flat| flat.rows[0] = u32::MAX);
+        refused(&|flat| flat.integers[0] = u32::MAX);
+        refused(&|flat| flat.integers[1] = u32::MAX);
         refused(&|flat| flat.floats[1].truncate(7));
         refused(&|flat| flat.layout.panels.truncate(3));
         refused(&|flat| flat.layout.panels[0].piece = 99);

@@ -16,6 +16,7 @@ mod error;
 mod factor;
 #[cfg(feature = "io")]
 mod flat;
+mod hierarchical;
 mod invariants;
 mod layout;
 mod leg;
@@ -23,6 +24,7 @@ mod legendre;
 mod measure;
 mod panel;
 mod peak;
+mod skeleton;
 mod span;
 mod spans;
 mod straight;

@@ -1,11 +1,11 @@
 //! The spans of harmonic measure along the curve, from the transformed density, and what their polynomials leave open.
 
-use super::corner::{Compressed, Problem};
+use super::corner::{Compressed, PlacedBlock, Problem};
 use super::layout::{Block, End, Layout, Panel};
 use super::legendre::{NODES, Rule, Values};
 use super::peak::Peaks;
 use super::span::{Rounding, Span};
-use super::system::{System, gather};
+use super::system::System;
 use crate::geometry::{Curve, Piece};
 use faer::Mat;
 
@@ -98,9 +98,9 @@ pub fn spans(
     (transformed, peaks): (&[f64], &Peaks),
 ) -> (Vec<Span>, Vec<usize>) {
     let least = ROUNDING / curve.perimeter();
-    let of_block = |(block, (rows, compressed)): (&Block, &(Vec<usize>, Compressed))| {
+    let of_block = |(block, placed): (&Block, &PlacedBlock)| {
         let exponent = Problem::Interior.exponent(curve.junctions()[block.junction]);
-        block_spans(curve, block, compressed, (exponent, least), gather(rows, transformed), peaks)
+        block_spans(curve, block, &placed.compressed, (exponent, least), placed.gather(transformed), peaks)
     };
     let mut of_blocks: Vec<[Vec<Span>; 2]> = layout.blocks.iter().zip(system.blocks()).map(of_block).collect();
     let mut spans = Vec::new();
@@ -168,7 +168,6 @@ pub fn unresolved(curve: &Curve, layout: &Layout, spans: &[Span], (transformed, 
         let density = densities.iter().fold(0.0_f64, |most, density| most.max(density.abs()));
         DISPLACEMENT * density * spline.left_open(ends, [panel.from, panel.to])
     };
-    if std::env::var("PROBE").is_ok() { for (i, p) in layout.panels.iter().enumerate() { println!("panel {i} piece {} {:?} {:.5}..{:.5} block {:?} tail {:.1e}", p.piece, p.end, p.from, p.to, p.block, of_panel((i, p))); } for s in spans { if let Some(c) = s.coefficients() { let t = UNRESOLVED * tail(c); if t > 1e-12 { println!("span piece {} {:?} {:.3e}..{:.3e} {:.1e} of {:.1e}", s.piece, s.end, s.from, s.to, t, s.measure); } } } }
     let of_panels = layout.panels.iter().enumerate().map(of_panel).fold(0.0, f64::max);
     let of_spans = spans.iter().filter_map(Span::coefficients).map(tail).fold(0.0, f64::max);
     let of_splines = layout.panels.iter().enumerate().map(of_spline).fold(0.0, f64::max);

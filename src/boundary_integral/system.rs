@@ -1,15 +1,15 @@
-//! The global system (I ± K° R) ρ̃ = g: its nodes, its matrix and its dense LU factor.
+//! The global system (I ± K° R) ρ̃ = g: its nodes, its blocks and its factor.
 
-use super::corner::{Compressed, Problem, compress};
-use super::factor::DenseFactor;
+use super::corner::{Compressed, PlacedBlock, Problem, compress};
 use super::entries::Entries;
-use super::layout::Layout;
+use super::factor::Factor;
+use super::layout::{Block, Layout};
 use super::leg::{Leg, Node, kernel};
 use super::legendre::NODES;
 use super::panel::PanelNodes;
 use super::peak::Peaks;
 use crate::geometry::{Curve, DVec2, Junction};
-use faer::Mat;
+use std::sync::Arc;
 
 /// A factored system.
 #[derive(Debug)]
@@ -17,9 +17,8 @@ pub struct System {
     panels: Vec<PanelNodes>,
     /// The places of the junctions.
     bases: Vec<DVec2>,
-    /// For each block the first rows of its panels, in the block's order, and its compressed matrix.
-    blocks: Vec<(Vec<usize>, Compressed)>,
-    factor: DenseFactor,
+    blocks: Vec<PlacedBlock>,
+    factor: Factor,
 }
 
 impl System {
@@ -29,55 +28,26 @@ impl System {
         let bases: Vec<DVec2> = curve.pieces().iter().map(|piece| piece.jet(0.0).position).collect();
         let blocks = compressed_blocks(curve, layout, problem);
         let entries = Entries::new(curve, layout, (&panels, &bases), problem);
-        let all: Vec<usize> = (0..entries.len()).collect();
-        let mut matrix = Mat::zeros(all.len(), all.len());
-        entries.for_each(&all, &all, |i, j, value| matrix[(i, j)] = value);
-        for (rows, compressed) in &blocks {
-            multiply_columns(&mut matrix, rows, &compressed.matrix);
-        }
-        for k in 0..matrix.nrows() {
-            matrix[(k, k)] += 1.0;
-        }
-        let mut system = Self { panels, bases, blocks, factor: DenseFactor::new(&Mat::new()) };
-        if problem == Problem::Exterior {
-            system.complete(&mut matrix);
-        }
-        system.factor = DenseFactor::new(&matrix);
-        system
+        let factor = Factor::new(&entries, &blocks);
+        Self { panels, bases, blocks, factor }
     }
 
     /// A system that was factored before, with the compressed matrices of its blocks.
     #[cfg(feature = "io")]
-    pub fn factored(curve: &Curve, layout: &Layout, blocks: Vec<Compressed>, factor: DenseFactor) -> Self {
-        let rows = |block: &super::layout::Block| block.panels.iter().map(|panel| panel * NODES).collect();
+    pub fn factored(curve: &Curve, layout: &Layout, blocks: Vec<Arc<Compressed>>, factor: Factor) -> Self {
+        let place = |(block, compressed): (&Block, _)| PlacedBlock { rows: rows(block), compressed };
         Self {
             panels: layout.panels.iter().map(|panel| PanelNodes::new(curve, panel)).collect(),
             bases: curve.pieces().iter().map(|piece| piece.jet(0.0).position).collect(),
-            blocks: layout.blocks.iter().map(rows).zip(blocks).collect(),
+            blocks: layout.blocks.iter().zip(blocks).map(place).collect(),
             factor,
         }
     }
 
     /// The factor of the matrix.
     #[cfg(feature = "io")]
-    pub fn factor(&self) -> &DenseFactor {
+    pub fn factor(&self) -> &Factor {
         &self.factor
-    }
-
-    /// Adds the total charge, times |z′|/length, to the singular system of the exterior: the solution then has total 1.
-    fn complete(&self, matrix: &mut Mat<f64>) {
-        let weights: Vec<f64> = self.nodes().map(|(_, node)| node.weight).collect();
-        let total: f64 = weights.iter().sum();
-        let column: Vec<f64> = self.uniform().collect();
-        let mut row = Mat::from_fn(1, weights.len(), |_, j| weights[j] / total);
-        for (rows, compressed) in &self.blocks {
-            multiply_columns(&mut row, rows, &compressed.matrix);
-        }
-        for j in 0..weights.len() {
-            for i in 0..weights.len() {
-                matrix[(i, j)] += column[i] * row[(0, j)];
-            }
-        }
     }
 
     /// |dz/dλ| at the nodes: the density of arc length.
@@ -111,7 +81,7 @@ impl System {
     }
 
     /// The compressed blocks, in the order of the layout.
-    pub fn blocks(&self) -> &[(Vec<usize>, Compressed)] {
+    pub fn blocks(&self) -> &[PlacedBlock] {
         &self.blocks
     }
 
@@ -141,59 +111,116 @@ impl System {
     /// The measure of each node, weight times R ρ̃: sums of smooth functions over them are integrals.
     pub fn charges(&self, transformed: &[f64]) -> Vec<f64> {
         let mut charges = transformed.to_vec();
-        for (rows, compressed) in &self.blocks {
-            let density = &compressed.matrix * gather(rows, transformed);
-            for (k, i) in indices(rows).enumerate() {
-                charges[i] = density[(k, 0)];
-            }
+        for block in &self.blocks {
+            let density = &block.compressed.matrix * block.gather(transformed);
+            block.nodes().zip(density.col_as_slice(0)).for_each(|(node, value)| charges[node] = *value);
         }
         charges.iter_mut().zip(self.nodes()).for_each(|(charge, (_, node))| *charge *= node.weight);
         charges
     }
 }
 
-/// The rows of a block's nodes, given the first row of each of its panels.
-fn indices(rows: &[usize]) -> impl Iterator<Item = usize> + '_ {
-    rows.iter().flat_map(|&row| row..row + NODES)
-}
-
-/// The values at a block's nodes.
-pub fn gather(rows: &[usize], values: &[f64]) -> Mat<f64> {
-    Mat::from_fn(rows.len() * NODES, 1, |k, _| values[rows[k / NODES] + k % NODES])
-}
-
-/// The columns of a block times its matrix.
-fn multiply_columns(matrix: &mut Mat<f64>, rows: &[usize], r: &Mat<f64>) {
-    let part = Mat::from_fn(matrix.nrows(), rows.len() * NODES, |i, k| matrix[(i, rows[k / NODES] + k % NODES)]);
-    let product = &part * r;
-    for (k, j) in indices(rows).enumerate() {
-        matrix.col_mut(j).copy_from(product.col(k));
-    }
+/// The first node of each panel of a block.
+fn rows(block: &Block) -> Vec<usize> {
+    block.panels.iter().map(|panel| panel * NODES).collect()
 }
 
 /// Angles that differ by less have one matrix.
 const SAME_ANGLE: f64 = 1e-15;
 
-fn compressed_blocks(curve: &Curve, layout: &Layout, problem: Problem) -> Vec<(Vec<usize>, Compressed)> {
-    let mut known: Vec<(f64, usize, Compressed)> = Vec::new();
-    let mut compressed = |block: &super::layout::Block| {
+fn compressed_blocks(curve: &Curve, layout: &Layout, problem: Problem) -> Vec<PlacedBlock> {
+    let mut known: Vec<(f64, usize, Arc<Compressed>)> = Vec::new();
+    let mut compressed = |block: &Block| {
         let (legs, junction) = (Leg::both(curve, block.junction), curve.junctions()[block.junction]);
         let straight_angle = match junction {
             Junction::Corner { angle } if legs.iter().all(Leg::is_straight) => Some(angle),
             _ => None,
         };
-        let same = |(angle, panels, _): &&(f64, usize, Compressed)| {
+        let same = |(angle, panels, _): &&(f64, usize, Arc<Compressed>)| {
             straight_angle.is_some_and(|own| (own - angle).abs() <= SAME_ANGLE * own) && *panels == block.mesh.panels
         };
         if let Some((.., found)) = known.iter().find(same) {
-            return found.clone();
+            return Arc::clone(found);
         }
-        let new = compress(&legs, junction, block.mesh, block.scales, problem);
+        let new = Arc::new(compress(&legs, junction, block.mesh, block.scales, problem));
         if let Some(angle) = straight_angle {
-            known.push((angle, block.mesh.panels, new.clone()));
+            known.push((angle, block.mesh.panels, Arc::clone(&new)));
         }
         new
     };
-    let rows = |panels: &[usize]| panels.iter().map(|panel| panel * NODES).collect();
-    layout.blocks.iter().map(|block| (rows(&block.panels), compressed(block))).collect()
+    layout.blocks.iter().map(|block| PlacedBlock { rows: rows(block), compressed: compressed(block) }).collect()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::super::hierarchical::HierarchicalFactor;
+    use super::super::layout::{Fineness, layout};
+    use super::*;
+    use crate::geometry::SimplePolygon;
+    use crate::outline::Preset;
+    use std::f64::consts::TAU;
+
+    /// Both factors of a curve's system.
+    fn factors(curve: &Curve, problem: Problem) -> (System, HierarchicalFactor) {
+        let layout = layout(curve, &[], (Fineness::STANDARD, problem), 4000).unwrap();
+        let system = System::new(curve, &layout, problem);
+        assert!(matches!(system.factor, Factor::Dense(_)), "{} unknowns", system.unknowns());
+        let entries = Entries::new(curve, &layout, (&system.panels, &system.bases), problem);
+        let hierarchical = HierarchicalFactor::new(&entries, &system.blocks);
+        (system, hierarchical)
+    }
+
+    fn check(name: &str, curve: &Curve, problem: Problem) {
+        let (system, hierarchical) = factors(curve, problem);
+        let places: Vec<DVec2> = system.places().collect();
+        let right: Vec<f64> = system.uniform().zip(&places).map(|(length, p)| length * (1.0 + p.x * p.y)).collect();
+        let [dense, found] = [system.factor.solve(&right), hierarchical.solve(&right)].map(|x| system.charges(&x));
+        let size = dense.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let off = dense.iter().zip(&found).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        assert!(off < 1e-10 * size, "{name}, {problem:?}: off by {off:e} of {size:e}");
+    }
+
+    #[test]
+    fn the_hierarchical_factor_solves_what_the_dense_one_solves() {
+        for preset in [Preset::Star, Preset::Heart, Preset::VShape] {
+            let outline = preset.outline();
+            let curve = outline.curve().unwrap();
+            check(preset.name(), curve.curve(), Problem::Interior);
+            check(preset.name(), curve.curve(), Problem::Exterior);
+        }
+    }
+
+    /// A wall of it alone nearly surrounds the middle.
+    #[test]
+    fn a_ring_with_a_gap_is_gathered_by_place() {
+        let at = |r: f64, k: f64| DVec2::from_angle(TAU * (0.01 + 0.98 * k / 8.0)) * r;
+        let outer = (0..=8).map(|k| at(1.0, f64::from(k)));
+        let inner = (0..=8).rev().map(|k| at(0.8, f64::from(k)));
+        let curve = Curve::from_polygon(&SimplePolygon::try_from(outer.chain(inner).collect::<Vec<_>>()).unwrap()).unwrap();
+        check("ring", &curve, Problem::Interior);
+        let (system, hierarchical) = factors(&curve, Problem::Interior);
+        assert!(hierarchical.len() == system.unknowns());
+    }
+
+    #[cfg(feature = "io")]
+    #[test]
+    fn a_hierarchical_factor_from_its_arrays_solves_alike_and_other_arrays_are_refused() {
+        let outline = Preset::Star.outline();
+        let (system, hierarchical) = factors(outline.curve().unwrap().curve(), Problem::Interior);
+        let again = Factor::from_flat(hierarchical.to_flat()).unwrap();
+        let right: Vec<f64> = system.uniform().collect();
+        assert!(again.solve(&right) == hierarchical.solve(&right));
+        let refused = |change: &dyn Fn(&mut super::super::factor::FlatFactor)| {
+            let mut flat = hierarchical.to_flat();
+            change(&mut flat);
+            assert!(Factor::from_flat(flat).is_none());
+        };
+        refused(&|flat| flat.integers[0] += 1);
+        refused(&|flat| flat.integers[1] = u32::MAX);
+        refused(&|flat| flat.integers[2] = flat.integers[3]);
+        refused(&|flat| *flat.integers.last_mut().unwrap() = u32::MAX);
+        refused(&|flat| flat.floats[0].truncate(7));
+        refused(&|flat| flat.floats[1][0] = f64::NAN);
+    }
 }

@@ -34,7 +34,7 @@ impl From<&BoundaryEquation> for Transfer {
         let record = packed(&equation);
         let points = std::mem::take(&mut equation.points);
         let floats = std::iter::once(points).chain(equation.integral.floats).collect();
-        Self { floats, indices: vec![equation.integral.rows], record }
+        Self { floats, indices: vec![equation.integral.integers], record }
     }
 }
 
@@ -46,7 +46,7 @@ impl Transfer {
         equation.points = floats.next()?;
         equation.integral.floats = floats.collect();
         let [rows]: [Vec<u32>; 1] = self.indices.try_into().ok()?;
-        equation.integral.rows = rows;
+        equation.integral.integers = rows;
         BoundaryEquation::from_flat(curve, equation)
     }
 
