@@ -79,7 +79,7 @@ fn off_the_lattice(grid: &OrthogonalGrid, length: f64) -> f64 {
 
 #[test]
 fn long_rectangles_have_their_modulus_and_their_lattice() {
-    for length in [11.0, 14.0, 18.0, 20.0, 40.0] {
+    for length in [11.0, 14.0, 18.0, 20.0, 30.0, 50.0] {
         for (x, y) in [(0.5, 0.6), (0.4 * length, 0.2)] {
             let started = std::time::Instant::now();
             let quadrilateral = Quadrilateral::new(&rectangle(length), corners_of(length), DVec2::new(x, y)).unwrap();
@@ -111,11 +111,16 @@ fn a_bend_adds_the_same_to_every_length() {
     // the ends of arms of length 1 feel the bend by e^{−2π}: the limit is that of two arms of 6 and more
     let short = modulus_of(6.0, 6.0);
     println!("{} against {bend}", short.value - 12.0);
-    for (a, b) in [(7.0, 12.0), (15.0, 4.0), (12.0, 9.0)] {
+    for (a, b) in [(7.0, 12.0), (15.0, 4.0), (12.0, 9.0), (20.0, 13.0)] {
         let found = modulus_of(a, b);
         let added = found.value - a - b;
         println!("{a}, {b}: {added} ± {:e}", found.error);
-        assert!((added - (short.value - 12.0)).abs() < 1e-10 && found.error < 1e-10, "{a}, {b}: {added}");
+        // the longest one is seen from points that the panels do not resolve
+        let off = (added - (short.value - 12.0)).abs();
+        assert!(
+            off < 1e-9 && off <= found.error + short.error && found.error < 1e-9 * found.value,
+            "{a}, {b}: {added}"
+        );
     }
     assert!((short.value - 12.0 - bend).abs() < 1e-2);
 }
