@@ -271,9 +271,6 @@ fn bad_input_is_refused_with_its_cause() {
     }
     with("preset:kitten", marks, "4x4", 1, &["kitten", "blob"]);
     with("absent.json", marks, "4x4", 1, &["absent.json"]);
-    let long = file(&folder, "long.json", "[[0,0],[40,0],[40,1],[0,1]]");
-    let corners = format!("0,{},0.5,{}", 40.0 / 82.0, 0.5 + 40.0 / 82.0);
-    with(&long, &corners, "4x4", 1, &["from mark 2 to 3", "from mark 4 to 1", "the limit"]);
     for surface in ["preset:hemisphere", "absent.obj"] {
         with(surface, marks, "4x4", 1, &[surface, "is a surface", "outline"]);
     }
@@ -285,7 +282,7 @@ fn bad_input_is_refused_with_its_cause() {
     let svg = folder.join("g.png").display().to_string();
     let arguments = ["grid", "preset:disk", "--marks", marks, "--cells", "4x4", "--out"];
     fails(&[&arguments[..], &[&svg]].concat(), 2, &["csv, svg, obj or vtk"]);
-    assert_eq!(names(&folder), ["long.json", "saw.json"], "a partial file is left");
+    assert_eq!(names(&folder), ["saw.json"], "a partial file is left");
 }
 
 #[test]

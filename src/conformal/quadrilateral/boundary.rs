@@ -1,7 +1,9 @@
 //! The map of the rectangle's boundary onto the outline.
 
+use super::channel::Channel;
+use super::middle::turned;
 use super::side::{QuadrilateralSide, SideEnd, sides};
-use super::{Quadrilateral, Resolved};
+use super::{Quadrilateral, Resolved, Seen};
 use crate::boundary_integral::AnchoredMeasure;
 use crate::cauchy_integral::BoundaryFunction;
 use crate::geometry::{Curve, CurvePoint, DVec2, Junction};
@@ -46,6 +48,46 @@ impl<'a> SideMaps<'a> {
     }
 }
 
+/// The map of the rectangle's boundary onto the outline, at one resolution.
+enum Maps<'a> {
+    Middle(SideMaps<'a>),
+    /// Of a long quadrilateral whose first side is the side `turn`.
+    Channel {
+        turn: usize,
+        corners: [CurvePoint; 4],
+        channel: Channel<'a>,
+    },
+}
+
+impl Maps<'_> {
+    fn image(&self, at: CurvePoint) -> CurvePoint {
+        match self {
+            Self::Middle(sides) => sides.image(at),
+            Self::Channel { turn, channel, .. } => channel.image(on_side(at, at.piece() + 4 - turn)),
+        }
+    }
+
+    fn preimage(&self, point: CurvePoint) -> Option<CurvePoint> {
+        match self {
+            Self::Middle(sides) => sides.preimage(point),
+            Self::Channel { turn, corners, channel } => {
+                let side = (0..4).find(|&k| is_between(corners[k], point, corners[(k + 1) % 4]))?;
+                let found = channel.preimage(side, point);
+                Some(on_side(found, side + turn))
+            }
+        }
+    }
+}
+
+/// The point of another side of the rectangle at the same share.
+fn on_side(at: CurvePoint, side: usize) -> CurvePoint {
+    if at.from_start() <= at.to_end() {
+        CurvePoint::new(side % 4, at.from_start())
+    } else {
+        CurvePoint::before_end(side % 4, at.to_end())
+    }
+}
+
 /// The order of two points along the curve from its first one.
 fn order(a: CurvePoint, b: CurvePoint) -> Ordering {
     a.piece().cmp(&b.piece()).then(a.from_start().total_cmp(&b.from_start())).then(b.to_end().total_cmp(&a.to_end()))
@@ -64,8 +106,8 @@ fn is_between(a: CurvePoint, b: CurvePoint, c: CurvePoint) -> bool {
 /// The map of the rectangle's boundary onto the outline, and its error from two resolutions.
 pub struct BoundaryMap<'a> {
     curve: &'a Curve,
-    coarse: SideMaps<'a>,
-    fine: SideMaps<'a>,
+    coarse: Maps<'a>,
+    fine: Maps<'a>,
     /// The error of a position that is known exactly.
     rounding: f64,
 }
@@ -75,8 +117,14 @@ const SAFETY: f64 = 2.0;
 
 impl<'a> BoundaryMap<'a> {
     pub fn new(quadrilateral: &'a Quadrilateral) -> Self {
-        let Quadrilateral { curve, corners, coarse, fine, .. } = quadrilateral;
-        let [coarse, fine] = [coarse, fine].map(|resolved| SideMaps::new(*corners, resolved));
+        let Quadrilateral { curve, corners, seen, .. } = quadrilateral;
+        let [coarse, fine] = match seen {
+            Seen::Middle(both) => both.each_ref().map(|resolved| Maps::Middle(SideMaps::new(*corners, resolved))),
+            Seen::Channel { turn, measures } => measures.each_ref().map(|measures| {
+                let (turn, corners) = (*turn, turned(*corners, *turn));
+                Maps::Channel { turn, corners, channel: Channel::new(corners, measures) }
+            }),
+        };
         let rounding = f64::EPSILON * curve.position(corners[0]).length().max(curve.perimeter());
         Self { curve, coarse, fine, rounding }
     }

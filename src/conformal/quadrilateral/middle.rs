@@ -5,6 +5,7 @@
 //! harmonic measure from the middle, which [`QuadrilateralSide`](super::side::QuadrilateralSide) carries over from any other
 //! point: one step leads from there to the middle, except that measures below rounding hold it up.
 
+use super::channel::{LONG, points_of_view};
 use super::side::{self, QuadrilateralSide, SideEnd};
 use super::{LEAST, MOST_LENGTH, QuadrilateralError, Resolved, above_rounding};
 use crate::boundary_integral::{BoundaryIntegral, Settings, modulus};
@@ -24,8 +25,16 @@ const NEAREST: i32 = 16;
 /// The place of that beginning between the corner and the farthest point found inside: about the middle of a channel.
 const WITHIN: f64 = 0.7;
 
+/// From where a quadrilateral is seen.
+pub enum Found {
+    /// From about its middle, with the measure from there.
+    Middle(DVec2, Resolved),
+    /// From points along it, in order from the first to the third side; `turn`: from the second to the fourth.
+    Channel { turn: usize, points: Vec<DVec2> },
+}
+
 /// The middle of the quadrilateral with these corners, approximately, found from the point `start` inside or from beside a
-/// corner, whichever sees the sides more nearly alike; with the measure from there.
+/// corner, whichever sees the sides more nearly alike; with the measure from there. Of a long one, points along it.
 ///
 /// `goes_on` is asked between the preparations of the equation; `None` once it says no.
 ///
@@ -35,7 +44,7 @@ pub fn middle(
     corners: [CurvePoint; 4],
     start: DVec2,
     goes_on: &mut dyn FnMut() -> bool,
-) -> Result<Option<(DVec2, Resolved)>, QuadrilateralError> {
+) -> Result<Option<Found>, QuadrilateralError> {
     let beside = corners.iter().filter_map(|&corner| beside(curve, corner));
     let starts: Vec<DVec2> = std::iter::once(start).chain(beside).collect();
     let integral = BoundaryIntegral::prepare(curve, &Settings::default().with_points(&starts))?;
@@ -47,17 +56,31 @@ pub fn middle(
         let [first, second] = [a, b].map(|(_, seen)| (seen.hides_a_side(), seen.imbalance()));
         first.0.cmp(&second.0).then(first.1.total_cmp(&second.1))
     });
+    for (x, seen) in seen.iter().filter(|(_, seen)| seen.is_perhaps_long()) {
+        if !goes_on() {
+            return Ok(None);
+        }
+        let turn = usize::from(seen.modulus < 1.0);
+        if let Some(points) = points_of_view((curve, turned(corners, turn)), &integral, *x)? {
+            return Ok(Some(Found::Channel { turn, points }));
+        }
+    }
     // what a point sees that sees nothing of a side is a bound only
     let hidden = seen.iter().find(|(_, seen)| seen.hides_a_side());
     let error = hidden.map_or(QuadrilateralError::NoMiddle, |(_, seen)| seen.too_long());
     for (x, seen) in seen {
         match from_start(curve, corners, (x, seen), &integral, goes_on)? {
             Search::Ended(None) => {}
-            Search::Ended(found) => return Ok(found),
+            Search::Ended(Some((x, resolved))) => return Ok(Some(Found::Middle(x, resolved))),
             Search::GivenUp => return Ok(None),
         }
     }
     Err(error)
+}
+
+/// The corners from another one on.
+pub fn turned(corners: [CurvePoint; 4], turn: usize) -> [CurvePoint; 4] {
+    std::array::from_fn(|k| corners[(k + turn) % 4])
 }
 
 /// The end of a search from one point.
@@ -137,6 +160,11 @@ impl Seen {
     /// near: sides of which nothing is seen look alike.
     fn hides_a_side(&self) -> bool {
         self.resolved.arcs.iter().any(|&arc| arc < LEAST)
+    }
+
+    /// Whether the quadrilateral may be a long one.
+    fn is_perhaps_long(&self) -> bool {
+        self.hides_a_side() || self.modulus.max(self.modulus.recip()) > 0.9 * LONG
     }
 
     /// The largest |log ρ| of the sides: 0 from the middle.

@@ -68,26 +68,61 @@ fn the_grid_of_a_rectangle_is_its_lattice() {
     }
 }
 
+/// The largest distance of a grid's nodes from the lattice of a rectangle of this length and of height 1.
+fn off_the_lattice(grid: &OrthogonalGrid, length: f64) -> f64 {
+    let [n, m] = grid.cells().counts().map(f64::from);
+    let width = grid.cells().counts()[0] as usize + 1;
+    let off =
+        |(k, node): (usize, &DVec2)| node.distance(DVec2::new(length * (k % width) as f64 / n, (k / width) as f64 / m));
+    grid.nodes().iter().enumerate().map(off).fold(0.0, f64::max)
+}
+
 #[test]
-fn rectangles_are_mapped_up_to_the_limit_and_errors_say_so() {
-    for k in [14, 17, 19, 25, 60] {
-        let length = f64::from(k);
-        let quadrilateral = Quadrilateral::new(&rectangle(length), corners_of(length), DVec2::new(0.5, 0.6));
-        if length > MOST_LENGTH {
-            assert!(matches!(quadrilateral, Err(QuadrilateralError::TooLong { side: 1, .. })), "{length}");
-            continue;
+fn long_rectangles_have_their_modulus_and_their_lattice() {
+    for length in [11.0, 14.0, 18.0, 20.0, 30.0, 50.0] {
+        for (x, y) in [(0.5, 0.6), (0.4 * length, 0.2)] {
+            let started = std::time::Instant::now();
+            let quadrilateral = Quadrilateral::new(&rectangle(length), corners_of(length), DVec2::new(x, y)).unwrap();
+            let Estimate { value, error } = quadrilateral.modulus();
+            let off = value * length - 1.0;
+            println!("{length}: modulus off by {off:e}, said to be {:e}; {:?}", error * length, started.elapsed());
+            assert!(off.abs() < 1e-11 && (value - length.recip()).abs() <= error && error * length < 1e-10);
+            let grid = grid(&quadrilateral, [60, 7]);
+            let (worst, said) = (off_the_lattice(&grid, length), grid.image_error());
+            println!("{length}: off by {worst:e}, said to be {said:e}; {:?} {:?}", grid.deviation(), started.elapsed());
+            assert!(worst < 1e-9 && worst <= said && said < 1e-8, "{length}: off by {worst:e}, said to be {said:e}");
         }
-        let quadrilateral = quadrilateral.unwrap();
-        let Estimate { value, error } = quadrilateral.modulus();
-        assert!((value - length.recip()).abs() <= error, "{length}: {value} ± {error:e}");
-        let (grid, said) = (grid(&quadrilateral, [12, 7]), grid(&quadrilateral, [12, 7]).image_error());
-        let off = |(k, node): (usize, &DVec2)| {
-            node.distance(DVec2::new(length * (k % 13) as f64 / 12.0, (k / 13) as f64 / 7.0))
-        };
-        let worst = grid.nodes().iter().enumerate().map(off).fold(0.0, f64::max);
-        println!("{length}: off by {worst:e}, said to be {said:e}");
-        assert!(worst < 1e-5 && worst <= said && said < 1e-4, "{length}: off by {worst:e}, said to be {said:e}");
     }
+}
+
+/// A bent channel: from the end of a rectangle at one side of the bend to the one at the other, the moduli of whole and halves
+/// differ by what the bend itself makes, which does not depend on the lengths.
+#[test]
+fn a_bend_adds_the_same_to_every_length() {
+    let modulus_of = |a: f64, b: f64| {
+        let bent = polygon(&[[0.0, 0.0], [a + 1.0, 0.0], [a + 1.0, b + 1.0], [a, b + 1.0], [a, 1.0], [0.0, 1.0]]);
+        let perimeter = 2.0 * (a + b + 2.0);
+        // (a + 1, b + 1), (a, b + 1), (0, 1) and the first point: far ends are sides 1 and 3
+        let marks = [a + b + 2.0, a + b + 3.0, perimeter - 1.0, 0.0].map(|length| length / perimeter);
+        Quadrilateral::new(&bent, Marks::new(marks).unwrap(), DVec2::new(0.5, 0.5)).unwrap().modulus()
+    };
+    // the L-shape of arms 1 from its corner's square: 2.5585231423420129 = 1 + 1 + bend
+    let bend = 0.558_523_142_342_012_9;
+    // the ends of arms of length 1 feel the bend by e^{−2π}: the limit is that of two arms of 6 and more
+    let short = modulus_of(6.0, 6.0);
+    println!("{} against {bend}", short.value - 12.0);
+    for (a, b) in [(7.0, 12.0), (15.0, 4.0), (12.0, 9.0), (20.0, 13.0)] {
+        let found = modulus_of(a, b);
+        let added = found.value - a - b;
+        println!("{a}, {b}: {added} ± {:e}", found.error);
+        // the longest one is seen from points that the panels do not resolve
+        let off = (added - (short.value - 12.0)).abs();
+        assert!(
+            off < 1e-9 && off <= found.error + short.error && found.error < 1e-9 * found.value,
+            "{a}, {b}: {added}"
+        );
+    }
+    assert!((short.value - 12.0 - bend).abs() < 1e-2);
 }
 
 /// Marks in one arm of a U, seen from the other arm under measures below rounding.
