@@ -254,7 +254,7 @@ impl Optimization {
         let value = self.criterion.measure(&self.map).ok_or(OptimizeError::EmptyRegion)?;
         let objective = self.criterion.objective(value, &self.map);
         self.found = Some(Found { constraints: self.start, before: value, after: value, objective });
-        self.soundness = Some(Soundness::of(&self.map.quality()));
+        self.soundness = Some(Soundness::of(&self.map.quality(), self.map.mapped().is_surface()));
         self.note(Value { criterion: value, objective }, true);
         Ok(Stage::Chart(None))
     }

@@ -29,9 +29,11 @@ pub(super) struct Soundness {
 }
 
 impl Soundness {
-    /// The limits for a start with this distortion.
-    pub fn of(start: &Quality) -> Self {
-        let Quality { q_mean, flipped, collapsed_area, .. } = *start;
+    /// The limits for a start with this distortion. Where an outline's mesh is mapped, flipped triangles do not count: the mesh
+    /// is refined for the map that comes out, which mends them.
+    pub fn of(start: &Quality, is_surface: bool) -> Self {
+        let Quality { q_mean, collapsed_area, .. } = *start;
+        let flipped = if is_surface { start.flipped } else { u32::MAX };
         let margin = MARGIN * (Q_FACTOR * q_mean + Q_ADDED);
         Self { q_mean: margin.max(q_mean), flipped, collapsed_area: collapsed_area + COLLAPSED_ADDED }
     }
