@@ -5,7 +5,10 @@ use riemap::surface::{Surface, SurfaceMesh, read_surface};
 
 /// The areas of the triangles that fill holes, seen from above.
 fn filled(surface: &Surface) -> Vec<f64> {
-    let mesh = SurfaceMesh::repaired(surface).unwrap();
+    filling(&SurfaceMesh::repaired(surface).unwrap())
+}
+
+fn filling(mesh: &SurfaceMesh) -> Vec<f64> {
     let (given, mesh) = (mesh.given_triangles().len(), mesh.mesh());
     let corners = mesh.triangles()[given..].iter().map(|t| t.map(|v| mesh.vertices()[v as usize]));
     corners.map(|[a, b, c]| 0.5 * (b - a).cross(c - a).z).collect()
@@ -53,7 +56,14 @@ fn holes_of_any_length_and_shape_are_filled_without_overlaps() {
         for (shape, is_hole) in holes.into_iter().enumerate() {
             for bend in [0.0, 0.3 / f64::from(size)] {
                 let surface = grid_without(size, is_hole, |x, y| DVec3::new(x, y, bend * (x * x - x * y)));
-                let areas = filled(&surface);
+                // the hole's loop may be longer than the square around
+                let around = |outline| SurfaceMesh::repaired_around(&surface, outline).unwrap();
+                let is_square = |mesh: &SurfaceMesh| {
+                    let boundary = &mesh.mesh().vertices()[..mesh.mesh().boundary_count() as usize];
+                    boundary.iter().any(|p| p.x == 0.0)
+                };
+                let mesh = (0..2).map(around).find(is_square).unwrap();
+                let areas = filling(&mesh);
                 let cells = (0..size * size).filter(|c| is_hole(c % size, c / size)).count();
                 let (sum, count) = (areas.iter().sum::<f64>(), areas.len());
                 println!("{shape}, k = {k}, bend {bend:.3}: {count} triangles, area {sum} of {cells}");
