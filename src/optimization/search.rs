@@ -6,7 +6,7 @@
 //!    criterion is measured as it is for the start. 5. **Polish** of the best: a descent on the map itself. Last, whether the
 //!    boundary points may stay as they were.
 //!
-//! Guaranteed: the result is a map as sound as the start (`soundness`), and never worse, both measured on the map; the same input gives the same result, bit
+//! Guaranteed: the result is never worse than the start, both measured on the map, and where a surface is mapped as sound (`soundness`); the same input gives the same result, bit
 //! for bit, however it is divided into steps. Not guaranteed: that no better map exists where the scan has no place near it.
 
 use super::chart::Chart;
@@ -124,6 +124,7 @@ pub struct Optimization {
     family: Option<(Family, Nodes)>,
     staying: Option<Staying>,
     found: Option<Found>,
+    /// The limits of what a surface's map may be; none where an outline is mapped.
     soundness: Option<Soundness>,
     evaluations: usize,
     course: Vec<Least>,
@@ -254,7 +255,7 @@ impl Optimization {
         let value = self.criterion.measure(&self.map).ok_or(OptimizeError::EmptyRegion)?;
         let objective = self.criterion.objective(value, &self.map);
         self.found = Some(Found { constraints: self.start, before: value, after: value, objective });
-        self.soundness = Some(Soundness::of(&self.map.quality(), self.map.mapped().is_surface()));
+        self.soundness = self.map.mapped().is_surface().then(|| Soundness::of(&self.map.quality()));
         self.note(Value { criterion: value, objective }, true);
         Ok(Stage::Chart(None))
     }
@@ -303,7 +304,8 @@ impl Optimization {
         let ends = apart(descents.ended, FITS, None);
         let Some(&best) = ends.front() else { return Stage::Keep(VecDeque::new()) };
         // where no end is a sound map, the start's valley is searched
-        let start = self.family.as_ref().and_then(|(family, _)| family.moebius(&self.start));
+        let family = self.family.as_ref().filter(|_| self.soundness.is_some());
+        let start = family.and_then(|(family, _)| family.moebius(&self.start));
         Stage::Compare(Comparison {
             coming: ends.into_iter().map(|(_, map)| map).chain(start).collect(),
             best: (f64::INFINITY, best.1),

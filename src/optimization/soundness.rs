@@ -3,6 +3,9 @@
 //!
 //! A map is sound if its mean Q is not much larger than that of the start, and it has no more flipped triangles and hardly
 //! more area in collapsed ones. What a search minimizes grows with the excess, so that it leads back to sound maps.
+//!
+//! Limits are those of surfaces, whose mesh is given. That of an outline is refined for the map that comes out, and the search is
+//! on the coarse one: onto a cinquefoil the symmetric map of a star has Q = 1.22 there, above the limit, and 1.13 when refined.
 
 use crate::conformal::Quality;
 
@@ -29,11 +32,9 @@ pub(super) struct Soundness {
 }
 
 impl Soundness {
-    /// The limits for a start with this distortion. Where an outline's mesh is mapped, flipped triangles do not count: the mesh
-    /// is refined for the map that comes out, which mends them.
-    pub fn of(start: &Quality, is_surface: bool) -> Self {
-        let Quality { q_mean, collapsed_area, .. } = *start;
-        let flipped = if is_surface { start.flipped } else { u32::MAX };
+    /// The limits for a start with this distortion.
+    pub fn of(start: &Quality) -> Self {
+        let Quality { q_mean, flipped, collapsed_area, .. } = *start;
         let margin = MARGIN * (Q_FACTOR * q_mean + Q_ADDED);
         Self { q_mean: margin.max(q_mean), flipped, collapsed_area: collapsed_area + COLLAPSED_ADDED }
     }
