@@ -39,10 +39,6 @@ const Q_LIMITED: f64 = 1.1;
 /// A point whose image is farther than this from the middle is replaced by one half way where it is the point that stays.
 const FAR: f64 = 0.98;
 
-/// As [`FAR`], for a partner in an outline with the integral equation, whose measure is as exact there, of a point on a
-/// surface, whose measure is less exact anywhere else: half way, that of an egg with 12 boundary vertices errs 1.7 times as much.
-const FAR_RESOLVED: f64 = 0.9999;
-
 /// Both charts and what the criterion is summed over.
 #[derive(Debug)]
 pub struct Family {
@@ -219,9 +215,7 @@ impl Family {
         let at = self.charts[side].image(start.points[side]).unwrap_or_default();
         let onto = |side: Side| if side == Side::Source { *map } else { map.inverse() };
         let stays = Staying { side, at, point: Some(start.points[side]), anchor: start.anchors.source };
-        let is_resolved = is_surface(side) && self.charts[side.other()].prepared().equation().is_some();
-        let far = if is_resolved { FAR_RESOLVED } else { FAR };
-        if at.norm() <= FAR && onto(side).image(at).norm() <= far {
+        if at.norm() <= FAR && onto(side).image(at).norm() <= FAR {
             return stays;
         }
         let half = Moebius::half_way(onto(side).inverse().image(Complex64::ZERO));

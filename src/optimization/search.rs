@@ -6,8 +6,9 @@
 //!    criterion is measured as it is for the start. 5. **Polish** of the best: a descent on the map itself. Last, whether the
 //!    boundary points may stay as they were.
 //!
-//! Guaranteed: the result is never worse than the start, both measured on the map, and where a surface is mapped as sound (`soundness`); the same input gives the same result, bit
-//! for bit, however it is divided into steps. Not guaranteed: that no better map exists where the scan has no place near it.
+//! Guaranteed: the result is never worse than the start, both measured on the map, and as sound (`soundness`) where a surface
+//! is mapped; the same input gives the same result, bit for bit, however it is divided into steps. Not guaranteed: that no
+//! better map exists where the scan has no place near it.
 
 use super::chart::Chart;
 use super::criterion::Value;
