@@ -270,3 +270,38 @@ fn any_boundary_loop_becomes_the_outline() {
     fails(&[&surface, "preset:disk", "--boundary-loop", "2"], 2);
     fails(&[&surface, "preset:disk", "--repair", "--boundary-loop", "0"], 2);
 }
+
+/// A flat sheet over its own outline with its corners pinned: the identity, up to the error of the sheet's finite elements.
+#[test]
+fn pins_on_the_corners_of_a_sheet_make_its_layout_the_sheet_itself() {
+    let folder = folder("flatten-pins");
+    let (cells, mut sheet) = (20, String::new());
+    let at = |i: usize| 2.0 * i as f64 / cells as f64 - 1.0;
+    for j in 0..=cells {
+        (0..=cells).for_each(|i| writeln!(sheet, "v {} {} 0", at(i), at(j)).unwrap());
+    }
+    for (i, j) in (0..cells * cells).map(|cell| (cell % cells, cell / cells)) {
+        let a = (cells + 1) * j + i + 1;
+        writeln!(sheet, "f {a} {} {} {}", a + 1, a + cells + 2, a + cells + 1).unwrap();
+    }
+    let surface = file(&folder, "sheet.obj", &sheet);
+    let outline = file(&folder, "square.json", "[[-1,-1],[1,-1],[1,1],[-1,1]]");
+    let out = folder.join("sheet.csv").display().to_string();
+    let mut arguments = vec![&*surface, &*outline, "--uv", "true", "--corners", "free", "--json", "--out", &*out];
+    for pin in ["-1,-1,0:-1,-1", "1,-1,0:1,-1", "1,1,0:1,1", "-1,1,0:-1,1"] {
+        arguments.extend(["--pin", pin]);
+    }
+    let summary = json(&arguments);
+    assert!(summary["timing_ms"]["outline"]["integral"].as_f64().unwrap() > 0.0, "the outline's kernel is sharp");
+    assert_eq!(summary["pins"].as_array().unwrap().len(), 4);
+    assert!(summary["pins"].as_array().unwrap().iter().all(|pin| pin["miss"].as_f64().unwrap() < 1e-2), "{summary}");
+    let text = std::fs::read_to_string(&out).unwrap();
+    let row = |line: &str| -> Vec<f64> { line.split(',').map(|x| x.parse().unwrap()).collect() };
+    let off = text.lines().skip(1).map(row).map(|p| (p[0] - p[3]).hypot(p[1] - p[4])).fold(0.0, f64::max);
+    println!("the layout is off by {off:.1e}");
+    assert!(off < 1e-2, "{off}");
+    let text = fails(&[&surface, &outline, "--pin", "@0:@0"], 2);
+    assert!(text.contains("--pin: three pairs determine a map"), "{text}");
+    let text = fails(&[&surface, &outline, "--pin", "0,0:@0", "--pin", "@0.3:@0.3", "--pin", "@0.6:@0.6"], 2);
+    assert!(text.contains("--pin: P is a surface's"), "{text}");
+}

@@ -30,8 +30,12 @@ pub fn state(app: &RiemapApp) -> String {
     sentences.extend(pins(model));
     sentences.extend(Side::BOTH.into_iter().filter_map(|side| marks(model, side)));
     if let Some(quality) = model.quality() {
-        let mean = number(quality.q_mean, 3);
+        let mean = quality.resolved_mean().map(|mean| number(mean, 3));
+        let mean = mean.unwrap_or_else(|| String::from(tr(key::quality_unresolved())));
         sentences.push(say(&key::accessible_quality(mean, quality.flipped)));
+        if quality.collapsed > 0 {
+            sentences.push(say(&key::accessible_collapsed(number(100.0 * quality.collapsed_area, 2))));
+        }
     }
     sentences.extend(Side::BOTH.into_iter().filter_map(|side| symmetries(model, side)));
     sentences.extend(caught(app));

@@ -8,6 +8,7 @@ use super::CliError;
 use super::accuracy::Accuracy;
 use super::map::{Computed, Finished, Making, say_map_notes, titles};
 use super::map_arguments::MapArguments;
+use super::output::mean_in_words;
 use super::progress::Progress;
 use super::side::{self, Asked, NamedSide, Place};
 use super::tables::Summary;
@@ -114,9 +115,9 @@ impl Chain {
     pub fn text(&self) -> String {
         let mut text = String::new();
         for Link { source, target, quality, accuracy, .. } in &self.links {
-            let Quality { q_mean, flipped, .. } = quality;
+            let mean = mean_in_words(quality);
             let error = accuracy.image_error().map(|error| format!(", error {error:.1e}")).unwrap_or_default();
-            let _ = write!(text, "\n{source} → {target}: mean Q = {q_mean:.4}, {flipped} flipped{error}");
+            let _ = write!(text, "\n{source} → {target}: {mean}, {} flipped{error}", quality.flipped);
         }
         let Difference { boundary, interior } = self.link_by_link;
         let interior = interior.map(|interior| format!(", {interior:.1e} inside")).unwrap_or_default();

@@ -26,7 +26,7 @@ pub struct Discretization {
     pub sizing: Option<SizingArgument>,
     /// How harmonic measure is computed: from an integral equation on the curve of an outline, to ten digits and more;
     /// or with finite elements, by one adjoint solve for each point or from the paper's table of all harmonic
-    /// coordinates [default: integral for the outlines of `map`, adjoint for surfaces, `flatten` and `prepare`].
+    /// coordinates [default: integral for the outlines of `map` and `flatten`, adjoint for surfaces and `prepare`].
     #[arg(long)]
     pub kernel: Option<KernelArgument>,
     /// How linear systems are solved: with a complete Cholesky factor, or iteratively with an incomplete one.

@@ -1,16 +1,17 @@
 //! `riemap flatten`: parameterizes a surface over an outline and writes it with texture coordinates.
 
 use super::corners::Corners;
-use super::flatten_arguments::{CornersArgument, FlattenArguments, UvArgument, read};
+use super::flatten_arguments::{CornersArgument, FlattenArguments, SurfacePoint, UvArgument, read};
 use super::named_outline::{NamedOutline, read_outline};
 use super::optimization::{Optimized, optimized};
-use super::output::{check_paths, edges_flipped, print, say_solver, triangles, warn_if_coarse, words, write_all};
+use super::output::{check_paths, edges_flipped, print, quality_in_words, say_solver, triangles, words, write_all};
 use super::progress::Progress;
+use super::side::{Asked, Given, NamedSide, Reading, SideAnchor, SidePoint};
 use super::tables::Counts;
-use super::{CliError, surface_picture};
+use super::{CliError, flatten_pins, surface_picture};
 use crate::conformal::{
-    ConformalMap, Constraints, CornerCuts, FrameTimings, MapError, MapSettings, MeshedDomain, MeshedSurface, PerSide,
-    PrepareSettings, PrepareTimings, PreparedSide, Quality, Side, SurfaceSettings, prepare, prepare_surface,
+    ConformalMap, Constraints, CornerCuts, FrameTimings, MapError, MapSettings, MeshedSurface, PerSide, PrepareTimings,
+    PreparedSide, Quality, Side, prepare_surface,
 };
 use crate::export::{FileFormat, Flattened, Placement};
 use crate::laplace::SolverKind;
@@ -48,6 +49,9 @@ struct Summary {
     /// The search for the best map, and what came out in the outline, if it was asked for.
     #[serde(flatten)]
     best: Option<Best>,
+    /// The pins, if they determine the map.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pins: Vec<flatten_pins::Pin>,
     uv: Placement,
     /// The outline's corners, if it has any and they were not switched off.
     corners: Option<Corners>,
@@ -127,20 +131,19 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
         return print(&text);
     }
     let best = summary.best.as_ref().map(|best| format!("\n{}", best.optimised.said())).unwrap_or_default();
+    let best = flatten_pins::in_words(&summary.pins) + &best;
     let Summary { quality, counts, flips, .. } = summary;
     let kind = summary.interpretation.map(|found| format!("\noutline: {}", words(found))).unwrap_or_default();
     let corners = summary.corners.map(|corners| format!("\n{}", corners.said())).unwrap_or_default();
     print(&format!(
-        "m = {}, n = {}, {}; {}, negative weights {} → {}\nmean Q = {:.4}, {} flipped, {} collapsed{best}{kind}{corners}",
+        "m = {}, n = {}, {}; {}, negative weights {} → {}\n{}{best}{kind}{corners}",
         counts.m,
         counts.n,
         triangles(counts.triangles),
         edges_flipped(flips.flips),
         flips.negative_before,
         flips.negative_after,
-        quality.q_mean,
-        quality.flipped,
-        quality.collapsed
+        quality_in_words(&quality)
     ))
 }
 
@@ -152,6 +155,7 @@ struct Parameterized {
     constraints: Constraints,
     sides: Sides,
     best: Option<Best>,
+    pins: Vec<flatten_pins::Pin>,
     x2: BarycentricPoint,
     /// As a fraction of the loop's length.
     y2: f64,
@@ -175,88 +179,96 @@ fn compute(
             },
         );
     let disk = disk.map_err(|error| about(&arguments.surface, &error))?;
-    let sides = Sides::prepare(arguments, &outline, disk, progress)?;
-    let x1 = arguments.outline_point.map_or(sides.domain.default_point(), |p| p.0);
-    let default = sides.meshed.centre();
-    let x2 =
-        arguments.surface_point.map_or(Ok(default), |point| point.locate("--surface-point", surface, &sides.meshed))?;
-    let y2 = arguments.surface_anchor.fraction("--surface-anchor", &sides.meshed)?;
-    let constraints = Constraints::new((x1, arguments.outline_anchor.fraction(&sides.domain, None)), (x2, y2));
-    outline.say_notes(&arguments.outline);
-    sides.say_notes(arguments);
-    let polygons = PerSide::new(Some(outline.outline.polygon()), None);
+    let corners = outline.outline.corner_places();
+    let mut sides = Sides::prepare(arguments, outline, disk, progress)?;
+    let pinned = flatten_pins::constraints(&arguments.pins, &mut sides.source, &sides.surface, progress)?;
+    let (pins, constraints) = match pinned {
+        Some((pins, constraints)) => (Some(pins), constraints),
+        None => (None, sides.constraints(arguments, surface)?),
+    };
+    let polygons = PerSide::new(sides.source.polygon(), None);
     let best = match criterion.map(|named| named.criterion(polygons)).transpose()? {
         Some(criterion) => Some(sides.best(criterion, constraints, progress)?),
         None => None,
     };
     let constraints = best.as_ref().map_or(constraints, |(constraints, _)| *constraints);
-    let (x2, y2) = (constraints.points.target.on_surface().unwrap_or(x2), constraints.anchors.target);
+    let x2 = constraints.points.target.on_surface().unwrap_or(sides.meshed.centre());
+    let y2 = constraints.anchors.target;
     progress.enter("the map");
-    let (source, surface) = (Arc::clone(&sides.source), Arc::clone(&sides.surface));
+    let (source, surface) = (Arc::clone(&sides.source.prepared), Arc::clone(&sides.surface));
     let timings = Timings { check, surface: surface.timings(), outline: source.timings(), ..Timings::default() };
     let map = ConformalMap::new(source, surface, &constraints, MapSettings::default());
     let map = map.map_err(|error| refused(&error, arguments))?;
+    sides.say_notes(arguments);
+    let pins = pins.map_or_else(|| Ok(Vec::new()), |pins| flatten_pins::met(&map, &pins))?;
     let frame = map.timings();
-    let corners = outline.outline.corner_places();
     let has_cuts = arguments.layout.corners == CornersArgument::Hit && !corners.is_empty();
     let cuts = if has_cuts { map.cut_corners(&corners) } else { None };
     let best = best.map(|(_, best)| best);
-    Ok((Parameterized { map, cuts, constraints, sides, best, x2, y2 }, Timings { frame, ..timings }))
+    Ok((Parameterized { map, cuts, constraints, sides, best, pins, x2, y2 }, Timings { frame, ..timings }))
 }
 
 /// Both prepared sides.
 struct Sides {
-    source: Arc<PreparedSide>,
+    source: NamedSide,
     surface: Arc<PreparedSide>,
-    domain: Arc<MeshedDomain>,
     meshed: Arc<MeshedSurface>,
     /// The requested solver, which may differ from the one used.
     solver: SolverKind,
-    interpreted: Option<Interpreted>,
 }
 
 impl Sides {
     fn prepare(
         arguments: &FlattenArguments,
-        outline: &NamedOutline,
+        outline: NamedOutline,
         disk: SurfaceMesh,
         progress: &Progress,
     ) -> Result<Self, CliError> {
-        let settings = arguments.discretization.settings(outline, None);
-        let PrepareSettings { kernel, solver, .. } = settings;
-        let on_surface = SurfaceSettings { intrinsic_delaunay: !arguments.no_intrinsic_delaunay, kernel, solver };
-        let surface = prepare_surface(disk, on_surface, &mut progress.preparing(&arguments.surface));
+        let FlattenArguments { repair, discretization, .. } = arguments;
+        let reading = Reading { repair: *repair, intrinsic_delaunay: !arguments.no_intrinsic_delaunay, discretization };
+        let settings = reading.surface_settings();
+        let surface = prepare_surface(disk, settings, &mut progress.preparing(&arguments.surface));
         let surface = surface.map_err(|error| about(&arguments.surface, &error))?;
-        let source = prepare(outline.outline.polygon(), &settings, &mut progress.preparing(&arguments.outline));
-        let source = source.map_err(|error| about(&arguments.outline, &error))?;
-        let domain = Arc::clone(source.domain().ok_or_else(no_outline)?);
+        let asked = Asked {
+            name: &arguments.outline,
+            title: &arguments.outline,
+            samples: None,
+            point: ("--outline-point", arguments.outline_point.map(SidePoint::Plane)),
+            anchor: ("--outline-anchor", SideAnchor::Plane(arguments.outline_anchor)),
+        };
+        let source = NamedSide::prepare(&asked, Given::Outline(outline), reading, progress)?;
         let meshed = Arc::clone(surface.surface().ok_or_else(no_surface)?);
-        let interpreted = outline.interpretation(&arguments.outline);
-        Ok(Self { source: Arc::new(source), surface: Arc::new(surface), domain, meshed, solver, interpreted })
+        Ok(Self { source, surface: Arc::new(surface), meshed, solver: settings.solver })
+    }
+
+    /// The given constraints; `surface` is as it was read.
+    fn constraints(&self, arguments: &FlattenArguments, surface: &Surface) -> Result<Constraints, CliError> {
+        let x1 = arguments.outline_point.map_or(self.source.prepared.default_point(), |p| p.0.into());
+        let y1 = self.source.anchor("--outline-anchor", SideAnchor::Plane(arguments.outline_anchor))?;
+        let locate = |point: SurfacePoint| point.locate("--surface-point", surface, &self.meshed);
+        let x2 = arguments.surface_point.map_or(Ok(self.meshed.centre()), locate)?;
+        let y2 = arguments.surface_anchor.fraction("--surface-anchor", &self.meshed)?;
+        Ok(Constraints::new((x1, y1), (x2, y2)))
     }
 
     /// The constraints of the best map.
     fn best(
-        &self,
+        &mut self,
         criterion: Criterion,
         start: Constraints,
         progress: &Progress,
     ) -> Result<(Constraints, Best), CliError> {
-        let sides = PerSide::new(Arc::clone(&self.source), Arc::clone(&self.surface));
+        let sides = PerSide::new(Arc::clone(&self.source.prepared), Arc::clone(&self.surface));
         let (constraints, optimised) = optimized(sides, criterion, start, MapSettings::default(), progress)?;
+        self.source.resolve(constraints.points.source, progress)?;
         let outline_point = constraints.points.source.in_plane().map(|x| x.to_array());
         Ok((constraints, Best { optimised, outline_point, outline_anchor: constraints.anchors.source }))
     }
 
     fn say_notes(&self, arguments: &FlattenArguments) {
-        warn_if_coarse(&arguments.outline, &self.source);
-        say_solver(&arguments.outline, self.solver, self.source.solver_kind());
+        self.source.say_notes(&arguments.discretization);
         say_solver(&arguments.surface, self.solver, self.surface.solver_kind());
     }
-}
-
-fn no_outline() -> CliError {
-    CliError::Input(String::from("a surface is flattened over an outline"))
 }
 
 fn no_surface() -> CliError {
@@ -306,9 +318,10 @@ fn summarize(surface: &Surface, whole: &Parameterized, flattened: &Flattened, ti
         },
         surface_anchor: *y2,
         best: whole.best.clone(),
+        pins: whole.pins.clone(),
         uv: flattened.placement,
         corners: whole.cuts.as_ref().map(|cuts| Corners::of(cuts, flattened)),
-        interpretation: sides.interpreted,
+        interpretation: sides.source.interpreted(),
         timing_ms,
     }
 }

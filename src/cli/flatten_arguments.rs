@@ -34,6 +34,12 @@ pub struct FlattenArguments {
     /// y₁, the image of y₂: the point of the outline nearest to X,Y, or the one at fraction S of its length.
     #[arg(long, alias = "source-anchor", value_name = "X,Y|@S", default_value = "@0", allow_hyphen_values = true)]
     pub outline_anchor: Anchor,
+    /// A boundary point of the surface and its image on the outline: P is X,Y,Z, a boundary vertex V, or @S, and Q is X,Y or
+    /// @S. Three of them determine the map, in place of points and anchors; more are met by least squares. They run around
+    /// both boundaries in the same order.
+    #[arg(long = "pin", value_name = "P:Q", allow_hyphen_values = true,
+          conflicts_with_all = ["surface_point", "surface_anchor", "outline_point", "outline_anchor", "criterion"])]
+    pub pins: Vec<super::pins::PinArgument>,
     /// The best map in place of the given one.
     #[command(flatten)]
     pub optimize: super::optimization::OptimizeArguments,

@@ -4,7 +4,7 @@ use super::CliError;
 use super::chain::{self, Chain};
 use super::map_arguments::{DirectionArgument, ExtensionArgument, MapArguments};
 use super::optimization::optimized;
-use super::output::{Format, check_paths, print, triangles, words, write_all};
+use super::output::{Format, check_paths, print, quality_in_words, triangles, words, write_all};
 use super::pins::{self, Pinned};
 use super::points::Points;
 use super::progress::Progress;
@@ -65,13 +65,11 @@ fn in_words(summary: &Summary) -> String {
     let best = best.as_ref().map(|best| format!("\n{}", best.optimised.said())).unwrap_or_default();
     let links = chain.as_ref().map(Chain::text).unwrap_or_default();
     format!(
-        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed{}{}{pinned}{best}{kinds}{links}",
+        "m = {}, n = {}, {}\n{}{}{}{pinned}{best}{kinds}{links}",
         counts.m,
         counts.n,
         triangles(counts.triangles),
-        quality.q_mean,
-        quality.flipped,
-        quality.collapsed,
+        quality_in_words(quality),
         unresolved
             .map(|area| format!("\nunresolved, hatched in pictures: {area:.2e} of the other area"))
             .unwrap_or_default(),

@@ -16,6 +16,7 @@ mod display;
 mod figure;
 mod flatten;
 mod flatten_arguments;
+mod flatten_pins;
 mod formula;
 mod formula_arguments;
 mod grid;

@@ -1,7 +1,7 @@
 //! Output: text on the terminal, and files that are written completely or not at all.
 
 use super::CliError;
-use crate::conformal::PreparedSide;
+use crate::conformal::{PreparedSide, Quality};
 use crate::counted::counted;
 use crate::laplace::SolverKind;
 use crate::outline::{Interpretation, Interpreted};
@@ -16,6 +16,18 @@ pub fn triangles(count: usize) -> String {
 /// For example "1 edge flipped", "7 edges flipped".
 pub fn edges_flipped(count: usize) -> String {
     counted!(count, "1 edge flipped", "{count} edges flipped")
+}
+
+/// For example "mean Q = 1.0423, 0 flipped, 2 collapsed (0.02 % of the area)".
+pub fn quality_in_words(quality: &Quality) -> String {
+    let Quality { flipped, collapsed, collapsed_area, .. } = *quality;
+    let share = if collapsed > 0 { format!(" ({:.2} % of the area)", 100.0 * collapsed_area) } else { String::new() };
+    format!("{}, {flipped} flipped, {collapsed} collapsed{share}", mean_in_words(quality))
+}
+
+/// For example "mean Q = 1.0423", or that it is not resolved.
+pub fn mean_in_words(quality: &Quality) -> String {
+    quality.resolved_mean().map_or_else(|| String::from("mean Q is not resolved"), |mean| format!("mean Q = {mean:.4}"))
 }
 
 /// The formats of `riemap map --out`.

@@ -7,7 +7,7 @@ use crate::conformal::{ConformalMap, Constraints, MOST_PINS, PerSide, PinError, 
 use std::str::FromStr;
 
 /// The option's name, for messages.
-const OPTION: &str = "--pin";
+pub const OPTION: &str = "--pin";
 
 /// The pairs that determine a map.
 #[derive(Debug, clap::Args)]
@@ -34,16 +34,28 @@ impl FromStr for PinArgument {
     }
 }
 
+impl PinArgument {
+    /// The pair as it is given: P, then Q.
+    pub const fn pair(&self) -> (SideAnchor, SideAnchor) {
+        (self.0.source, self.0.target)
+    }
+}
+
+/// Checks the number of pairs, if there are any.
+pub fn check_count(count: usize) -> Result<(), CliError> {
+    if count > 0 && !(3..=MOST_PINS).contains(&count) {
+        let text = format!("{OPTION}: three pairs determine a map, up to {MOST_PINS} can be given, {count} are");
+        return Err(CliError::Usage(text));
+    }
+    Ok(())
+}
+
 impl PinArguments {
     /// The pairs; none if the option is not given. Checks that they fit the sides' kinds.
     pub fn check(&self, asked: &[Asked<'_>; 2]) -> Result<Option<&[PinArgument]>, CliError> {
-        let count = self.pins.len();
-        if count == 0 {
+        check_count(self.pins.len())?;
+        if self.pins.is_empty() {
             return Ok(None);
-        }
-        if !(3..=MOST_PINS).contains(&count) {
-            let text = format!("{OPTION}: three pairs determine a map, up to {MOST_PINS} can be given, {count} are");
-            return Err(CliError::Usage(text));
         }
         for PinArgument(pair) in &self.pins {
             asked[0].check_anchor(OPTION, pair.source)?;
@@ -83,7 +95,8 @@ fn found(pins: &Pins, [source, target]: [&NamedSide; 2]) -> Result<Constraints, 
     pins.constraints(PerSide::new(&source.prepared, &target.prepared), None).map_err(|error| refused(&error))
 }
 
-fn refused(error: &PinError) -> CliError {
+/// A pin's error, with the option's name.
+pub fn refused(error: &PinError) -> CliError {
     CliError::Input(format!("{OPTION}: {error}"))
 }
 

@@ -133,7 +133,7 @@ pub struct Reading<'a> {
 
 impl Reading<'_> {
     /// The settings for surfaces, which are computed with finite elements.
-    fn surface_settings(&self) -> SurfaceSettings {
+    pub fn surface_settings(&self) -> SurfaceSettings {
         let kernel = match self.discretization.kernel_or(KernelMode::Adjoint) {
             KernelMode::Integral => KernelMode::Adjoint,
             finite => finite,

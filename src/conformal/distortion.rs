@@ -3,7 +3,7 @@
 //! With the complex derivatives of the linear map on a triangle, σ₁,₂ = |f_z| ± |f_z̄|,
 //! and the triangle is flipped where |f_z| < |f_z̄|; σ₁σ₂ is the ratio of the areas.
 //! Triangles whose image is a point or a segment up to rounding have no Q: they are counted
-//! as collapsed and left out of the mean.
+//! as collapsed, left out of the mean, and their share of the area is given beside it.
 
 use super::Unfold;
 use crate::geometry::{DVec2, DVec3};
@@ -13,6 +13,13 @@ use crate::mesh::TriMesh;
 /// An image whose smallest height is below this fraction of the whole image's extent is rounding: images in the V's far
 /// arm are 1e-16 in size, a segment of boundary points has heights of 1e-16; resolved triangles start at 1e-9.
 const COLLAPSED: f64 = 1e-13;
+
+/// An image shorter than this many distances that are rounding is a point: with an error of one distance at each corner,
+/// the Q of a longer one is right to three digits.
+const POINT: f64 = 1e3;
+
+/// With a larger share of the area in triangles without a Q, their mean is not that of the map.
+const UNRESOLVED: f64 = 0.01;
 
 /// Triangles between points of a straight side have heights of up to 2.1 ε times their largest coordinate
 /// (300,000 random ones, up to 1e9 from the origin); a height below twice that is rounding too.
@@ -29,10 +36,12 @@ const Q_LIMIT: f64 = 1e9;
 const AREA_LIMIT: f64 = 128.0;
 
 /// Angle distortion of the mapped mesh, `Q = σ₁/σ₂` per triangle.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[serde(into = "WrittenQuality")]
 #[non_exhaustive]
 pub struct Quality {
-    /// Mean of Q, weighted by the area in the mapped mesh; 1 is conformal.
+    /// Mean of Q over the triangles that are not collapsed, weighted by the area in the mapped mesh; 1 is conformal. See
+    /// [`Self::resolved_mean`].
     pub q_mean: f64,
     /// The largest Q.
     pub q_max: f64,
@@ -41,6 +50,25 @@ pub struct Quality {
     /// The number of triangles whose image is a point or a segment (between two surfaces: in the disk or in space);
     /// these are not part of the other figures.
     pub collapsed: u32,
+    /// The share of the area in collapsed triangles, from 0 to 1.
+    pub collapsed_area: f64,
+}
+
+/// What is written of a [`Quality`]: no mean where it is not resolved.
+#[derive(serde::Serialize)]
+struct WrittenQuality {
+    q_mean: Option<f64>,
+    q_max: f64,
+    flipped: u32,
+    collapsed: u32,
+    collapsed_area: f64,
+}
+
+impl From<Quality> for WrittenQuality {
+    fn from(quality: Quality) -> Self {
+        let Quality { q_max, flipped, collapsed, collapsed_area, .. } = quality;
+        Self { q_mean: quality.resolved_mean(), q_max, flipped, collapsed, collapsed_area }
+    }
 }
 
 /// The distortion of one triangle.
@@ -61,13 +89,14 @@ pub struct TriangleDistortion {
 
 impl TriangleDistortion {
     /// The distortion of the linear map that takes `corners` (counter-clockwise) to
-    /// `images`; collapsed if the smallest height of the image is not above `smallest`.
+    /// `images`; collapsed if the smallest height of the image is not above `smallest`, the error of its corners, or all of
+    /// it is not a thousand times as long.
     pub fn of([a, b, c]: [DVec2; 3], [fa, fb, fc]: [DVec2; 3], smallest: f64) -> Self {
         let (u, v) = (b - a, c - a);
         let (p, q) = (fb - fa, fc - fa);
         let area = 0.5 * u.perp_dot(v);
         let longest = p.length().max(q.length()).max(p.distance(q));
-        if p.perp_dot(q).abs() <= smallest * longest {
+        if p.perp_dot(q).abs() <= smallest * longest || longest <= POINT * smallest {
             return Self { q: 1.0, area_log2: -AREA_LIMIT, area, flipped: false, collapsed: true };
         }
         // f_z and f_z̄ times 4·area·i; the common factor drops out of Q
@@ -159,11 +188,12 @@ impl Quality {
 
     /// The summary of distortions that are already computed.
     pub fn summary<'a>(triangles: impl IntoIterator<Item = &'a TriangleDistortion>) -> Self {
-        let (mut weighted, mut area_sum) = (0.0, 0.0);
-        let mut quality = Self { q_mean: 1.0, q_max: 1.0, flipped: 0, collapsed: 0 };
+        let (mut weighted, mut area_sum, mut collapsed_sum) = (0.0, 0.0, 0.0);
+        let mut quality = Self { q_mean: 1.0, q_max: 1.0, flipped: 0, collapsed: 0, collapsed_area: 0.0 };
         for triangle in triangles {
             if triangle.collapsed {
                 quality.collapsed += 1;
+                collapsed_sum += triangle.area;
                 continue;
             }
             quality.flipped += u32::from(triangle.flipped);
@@ -174,7 +204,16 @@ impl Quality {
         if area_sum > 0.0 {
             quality.q_mean = weighted / area_sum;
         }
+        if collapsed_sum > 0.0 {
+            quality.collapsed_area = collapsed_sum / (area_sum + collapsed_sum);
+        }
         quality
+    }
+
+    /// The mean of Q, unless more than a hundredth of the area is in collapsed triangles: then that of the rest says
+    /// nothing about the map.
+    pub fn resolved_mean(&self) -> Option<f64> {
+        (self.collapsed_area <= UNRESOLVED).then_some(self.q_mean)
     }
 }
 
@@ -223,6 +262,24 @@ mod tests {
     fn reflection_is_flipped_and_a_point_image_collapsed() {
         assert_eq!(quality_under(|v| DVec2::new(-v.x, v.y)).flipped, 1);
         assert_eq!(quality_under(|_| DVec2::ONE).collapsed, 1);
+    }
+
+    /// Of two triangles the one with 2 % or 0.5 % of the area has a point as its image, or one that is noise: it has no Q,
+    /// and beyond a hundredth the rest has none either.
+    #[test]
+    fn the_mean_is_that_of_what_is_resolved_and_has_the_share_of_the_rest_beside_it() {
+        for (share, tiny) in [(0.02, 0.0), (0.02, 1e-11), (0.005, 1e-12)] {
+            let of = |images: [DVec2; 3], area: f64| TriangleDistortion {
+                area,
+                ..TriangleDistortion::of(triangle().corner_places(TriangleId::new(0)), images, 1e-13)
+            };
+            let noise = [DVec2::ZERO, DVec2::new(tiny, 0.0), DVec2::new(0.4 * tiny, 0.05 * tiny)];
+            let whole = triangle().corner_places(TriangleId::new(0)).map(|p| DVec2::new(3.0 * p.x, p.y));
+            let quality = Quality::summary(&[of(whole, 1.0 - share), of(noise, share)]);
+            assert!((quality.q_mean - 3.0).abs() < 1e-12 && quality.collapsed == 1, "{quality:?}");
+            assert!((quality.collapsed_area - share).abs() < 1e-15, "{quality:?}");
+            assert_eq!(quality.resolved_mean().is_some(), share < 0.01);
+        }
     }
 
     fn distortion_under(f: impl Fn(DVec2) -> DVec2) -> TriangleDistortion {

@@ -135,6 +135,14 @@ impl ConformalMap {
         }
     }
 
+    /// The distance within which images of the mapped mesh's vertices cannot be told apart.
+    pub(crate) fn image_resolution(&self) -> f64 {
+        match self.image_places() {
+            Places::Plane(places) => resolution(places),
+            Places::Space(places) => resolution(places),
+        }
+    }
+
     /// Of one value per triangle of the mapped mesh, the values of triangles that were not added by a repair.
     pub fn given<'a, T>(&'a self, values: &'a [T]) -> impl Iterator<Item = &'a T> {
         let mesh = self.mapped().surface().map(|meshed| meshed.surface());

@@ -1,5 +1,6 @@
 //! Möbius maps of the unit disk onto itself: z ↦ (a z + b)/(b̄ z + ā).
 
+use crate::geometry::DVec2;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -104,6 +105,13 @@ impl Moebius {
         let [at_z, at_u, at_v] = [z, u, v].map(|point| (self.b.conj() * point + self.a.conj()).inv());
         let (p, q) = ((u - z) * at_u, (v - z) * at_v);
         0.5 * at_z.norm_sqr() * (p.conj() * q).im
+    }
+
+    /// The triangle whose corners are the images of three points of the closed disk, moved so that the first one is at 0.
+    pub fn triangle(&self, [z, u, v]: [Complex64; 3]) -> [DVec2; 3] {
+        let [at_z, at_u, at_v] = [z, u, v].map(|point| (self.b.conj() * point + self.a.conj()).inv());
+        let [p, q] = [(u - z) * at_z * at_u, (v - z) * at_z * at_v];
+        [DVec2::ZERO, DVec2::new(p.re, p.im), DVec2::new(q.re, q.im)]
     }
 
     /// The image of the point of the circle at the angle 2πω, as such an ω modulo 1.

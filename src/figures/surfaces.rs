@@ -108,7 +108,7 @@ impl SurfaceStudy {
         let (anchors, place) = (self.constraints.anchors, surface.position(*x2));
         let constraints = [x1.x, x1.y, anchors.source, place.x, place.y, place.z, anchors.target];
         row.extend(constraints.map(Cell::from));
-        let Quality { q_mean, q_max, flipped, collapsed } = self.map.quality();
+        let Quality { q_mean, q_max, flipped, collapsed, .. } = self.map.quality();
         row.extend([q_mean, q_max].map(Cell::from));
         row.extend([flipped, collapsed].map(Cell::from));
         row

@@ -30,6 +30,7 @@ pub use nearest::nearest_inside;
 pub use planar::{MAX_INTERIOR, RefineReport, Sizing, mesh_domain};
 pub(crate) use tri_mesh::NO_TRIANGLE;
 pub use tri_mesh::{BrokenInvariant, TriMesh};
+pub(crate) use triangulate::polygon_triangles;
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]

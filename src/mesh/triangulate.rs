@@ -58,6 +58,14 @@ pub(super) fn triangulate(input: &Input) -> Result<Output, MeshError> {
     Ok(Output { added, triangles, complete })
 }
 
+/// The constrained Delaunay triangulation of a polygon, counter-clockwise, without other vertices: `m − 2` triangles.
+///
+/// Errors: the polygon is not simple, or a coordinate other than 0 is below 1e-40 or above 1e60.
+pub(crate) fn polygon_triangles(boundary: &[DVec2]) -> Result<Vec<[u32; 3]>, MeshError> {
+    let cdt = load(&Input { boundary, seeds: &[], holes: &[], max_area: None, max_added: 0 })?;
+    inside_triangles(&cdt, boundary)
+}
+
 /// Triangles below this area are not refined: that does no harm where edges are 1e-9 of
 /// their neighbors' length, and the circumcenter of a smaller one is determined by rounding alone.
 fn min_area(boundary: &[DVec2]) -> f64 {

@@ -10,9 +10,6 @@ use crate::mesh::TriangleId;
 use std::f64::consts::LN_2;
 use std::sync::Arc;
 
-/// The least ln |f′| of a triangle whose image is a point: that of the least area which [`TriangleDistortion`] reports.
-const LEAST: f64 = -64.0 * LN_2;
-
 /// Of maps that keep symmetries equally well the one with the most even areas is sought: this much of the root of their
 /// variance is added to the mismatch, which grows faster next to a map without mismatch.
 const EVENNESS: f64 = 0.01;
@@ -23,7 +20,7 @@ const MEASURED: usize = 500;
 /// What is minimized over all conformal maps of the source onto the target.
 ///
 /// σ₁, σ₂ are the singular values of the map of a triangle of the mapped mesh, |f′| = √(σ₁σ₂). A triangle whose image is a
-/// segment has as |f′| the ratio of lengths; one whose image is a point, 2⁻⁶⁴.
+/// segment has as |f′| the ratio of lengths; one whose image is a point has none, and counts as the farthest of the others.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Criterion {
     /// The mean of (ln σ₁σ₂)² after the best common scale, weighted by the triangles' areas in the mapped mesh: 0 where
@@ -104,7 +101,11 @@ impl Criterion {
         let mapped = Triangles::of(map);
         let mut scales = Scales::default();
         for (t, found) in map.given(&numbered) {
-            let scale = if found.collapsed { mapped.ratio_of_lengths(*t) } else { 0.5 * LN_2 * found.area_log2 };
+            let scale = if found.collapsed { mapped.ratio_of_lengths(*t) } else { Some(0.5 * LN_2 * found.area_log2) };
+            let Some(scale) = scale else {
+                scales.miss(self.region().map_or(found.area, |region| mapped.weight_unseen(region, *t, found.area)));
+                continue;
+            };
             let weight = match self.region() {
                 None => found.area,
                 Some(region) if mapped.side == Side::Source => found.area * region.share(mapped.corners(*t)),
@@ -142,11 +143,13 @@ fn mismatch(shared: &SharedSymmetries, map: &ConformalMap) -> Option<f64> {
 struct Triangles<'a> {
     map: &'a ConformalMap,
     side: Side,
+    /// The distance within which images cannot be told apart.
+    resolution: f64,
 }
 
 impl<'a> Triangles<'a> {
     fn of(map: &'a ConformalMap) -> Self {
-        Self { map, side: map.mapped_side() }
+        Self { map, side: map.mapped_side(), resolution: map.image_resolution() }
     }
 
     fn places(&self, places: Places<'_>, t: usize) -> [DVec3; 3] {
@@ -168,9 +171,16 @@ impl<'a> Triangles<'a> {
         self.places(self.map.image_places(), t)
     }
 
-    /// ln of the ratio of the root mean squares of the edges' lengths.
-    fn ratio_of_lengths(&self, t: usize) -> f64 {
+    /// ln of the ratio of the root mean squares of the edges' lengths; `None` where the image is a point.
+    fn ratio_of_lengths(&self, t: usize) -> Option<f64> {
         let squares = |[a, b, c]: [DVec3; 3]| a.distance_squared(b) + b.distance_squared(c) + c.distance_squared(a);
-        (0.5 * (squares(self.images(t)) / squares(self.corners(t))).ln()).max(LEAST)
+        let images = squares(self.images(t));
+        (images > self.resolution * self.resolution).then(|| 0.5 * (images / squares(self.corners(t))).ln())
+    }
+
+    /// The weight, in a region of the source, of a triangle of this area whose image is a point: none in the source if the
+    /// triangle is the target's.
+    fn weight_unseen(&self, region: &Region, t: usize, area: f64) -> f64 {
+        if self.side == Side::Source { area * region.share(self.corners(t)) } else { 0.0 }
     }
 }

@@ -9,10 +9,11 @@
 
 use super::chart::Chart;
 use super::criterion::Value;
+use super::soundness::{Q_FACTOR, penalty};
 use super::statistics::{Scales, thinned};
 use super::symmetry::Images;
 use super::{Criterion, SharedSymmetries};
-use crate::conformal::{Constraints, InteriorPoint, Moebius, PerSide, Side};
+use crate::conformal::{Constraints, InteriorPoint, Moebius, PerSide, Side, TriangleDistortion, Unfold};
 use crate::geometry::{DVec2, DVec3};
 use crate::mesh::TriangleId;
 use num_complex::Complex64;
@@ -28,6 +29,12 @@ const LEAST_HEIGHT: f64 = 1e-12;
 /// A map for which more than this share of the weight has no place on the other side has no value: its criterion would be
 /// that of the rest, and walks that find nothing take a hundred times as long as others.
 const MOST_MISSING: f64 = 0.05;
+
+/// The Q that a flipped triangle counts as, and the largest one: that of a triangle all of whose image is a segment.
+const FLIPPED_Q: f64 = 1e3;
+
+/// The mean Q in the disk is limited only from here: the usual meshes have 1.02 there.
+const Q_LIMITED: f64 = 1.1;
 
 /// A point whose image is farther than this from the middle is replaced by one half way where it is the point that stays.
 const FAR: f64 = 0.98;
@@ -48,6 +55,8 @@ pub struct Nodes {
     /// Of all of them.
     weight: f64,
     scales: Scales,
+    /// The mean Q in the disk beyond which values grow.
+    most_q: f64,
 }
 
 #[derive(Debug, Clone)]
@@ -63,9 +72,9 @@ struct Node {
 /// How a triangle's scale under T ∘ g is found.
 #[derive(Debug, Clone, Copy)]
 enum Size {
-    /// By the corners of its image under g and ln of its own area: as the scale is measured on a map, also where the mesh is
+    /// By the corners of its image under g, ln of its own area, and its own shape: as the scale is measured on a map, also where the mesh is
     /// too coarse for ln |g′|.
-    Corners([Complex64; 3], f64),
+    Corners { corners: [Complex64; 3], ln_area: f64, shape: [DVec2; 3] },
     /// By ln |g′| at its middle: its image is too small for the digits of the disk.
     Derivative(f64),
 }
@@ -74,9 +83,16 @@ impl Node {
     /// ln of the scale under T ∘ g.
     fn scale(&self, map: &Moebius) -> f64 {
         match self.size {
-            Size::Corners(corners, ln_area) => 0.5 * (map.area(corners).abs().ln() - ln_area),
+            Size::Corners { corners, ln_area, .. } => 0.5 * (map.area(corners).abs().ln() - ln_area),
             Size::Derivative(scale) => scale + map.log_scale(self.image),
         }
+    }
+
+    /// Q under T ∘ g; `None` where the image is too small.
+    fn q(&self, map: &Moebius) -> Option<f64> {
+        let Size::Corners { corners, shape, .. } = self.size else { return None };
+        let found = TriangleDistortion::of(shape, map.triangle(corners), 0.0);
+        Some(if found.flipped { FLIPPED_Q } else { found.q.min(FLIPPED_Q) })
     }
 }
 
@@ -85,6 +101,13 @@ impl Nodes {
     pub fn is_empty(&self) -> bool {
         self.all.is_empty()
     }
+
+    /// The mean Q of the triangles under T ∘ g; 1 where none has one.
+    fn mean_q(&self, map: &Moebius) -> f64 {
+        let of_nodes = self.all.iter().filter_map(|node| Some((node.q(map)?, node.weight)));
+        let (sum, weight) = of_nodes.fold((0.0, 0.0), |(sum, total), (q, weight)| (sum + weight * q, total + weight));
+        if weight > 0.0 { sum / weight } else { 1.0 }
+    }
 }
 
 impl Family {
@@ -92,6 +115,18 @@ impl Family {
     pub fn new(charts: PerSide<Chart>, criterion: Criterion, mapped: Side) -> Self {
         let side = if criterion.region().is_some() { Side::Source } else { criterion.mapped().unwrap_or(mapped) };
         Self { charts, criterion, side }
+    }
+
+    /// As [`Self::nodes`], for a search that begins at `start`: values grow where T distorts the triangles.
+    pub fn limited_nodes(&self, most: usize, start: &Constraints) -> Nodes {
+        let mut nodes = self.nodes(most);
+        let onto = |map: Moebius| if self.side == Side::Source { map } else { map.inverse() };
+        let of_start = self.moebius(start).map_or(1.0, |map| nodes.mean_q(&onto(map)));
+        // the disks of outlines are as fine as their samples ask for, and their maps are refined
+        if self.charts[self.side].prepared().is_surface() {
+            nodes.most_q = (Q_FACTOR * of_start).max(Q_LIMITED);
+        }
+        nodes
     }
 
     /// Triangles that stand for all, about `most` of them at most.
@@ -113,7 +148,8 @@ impl Family {
             Node { image, size, weight, near: start, moved }
         };
         let all: Vec<Node> = nodes.into_iter().map(node).collect();
-        Nodes { weight: all.iter().map(|node| node.weight).sum(), all, scales: Scales::default() }
+        let weight = all.iter().map(|node| node.weight).sum();
+        Nodes { weight, all, scales: Scales::default(), most_q: f64::INFINITY }
     }
 
     /// The criterion for the map with T from the source's disk onto the target's.
@@ -136,11 +172,13 @@ impl Family {
             nodes.scales.push(node.scale(&map) - other.scale(found), node.weight);
         }
         let of_scales = self.criterion.of(&mut nodes.scales).unwrap_or(f64::INFINITY);
+        let is_limited = nodes.most_q.is_finite();
+        let penalty = if is_limited { penalty(nodes.mean_q(&map) / nodes.most_q, of_scales) } else { 0.0 };
         let Some(shared) = self.criterion.symmetries() else {
-            return Value { criterion: of_scales, objective: of_scales };
+            return Value { criterion: of_scales, objective: of_scales + penalty };
         };
         let mismatch = mismatch(shared, &mut nodes.all, other, &map);
-        Value { criterion: mismatch, objective: mismatch + of_scales }
+        Value { criterion: mismatch, objective: mismatch + of_scales + penalty }
     }
 
     /// T of the map with these constraints; `None` if a point is not inside of its side's mesh.
@@ -222,9 +260,10 @@ fn size_in_disk(chart: &Chart, triangle: usize) -> Option<Size> {
     let corners = chart.at_corners(triangle);
     let [a, b, c] = chart.corners(triangle);
     let area = 0.5 * (b - a).cross(c - a).length();
+    let shape = DVec3::unfold([a, b, c]);
     let longest = (0..3).map(|k| (corners[k] - corners[(k + 1) % 3]).norm()).fold(0.0, f64::max);
     let height = 2.0 * Moebius::turn(0.0).area(corners).abs() / longest;
-    (height > LEAST_HEIGHT && area > 0.0).then(|| Size::Corners(corners, area.ln()))
+    (height > LEAST_HEIGHT && area > 0.0).then(|| Size::Corners { corners, ln_area: area.ln(), shape })
 }
 
 /// The mismatch of the map with T from the nodes' disk onto the other side's.

@@ -11,6 +11,7 @@
 //! | `family` | T ↔ constraints, and the criterion of T in closed form |
 //! | `simplex`, `descent` | the downhill simplex, and over Möbius maps |
 //! | `compass` | the compass search in the plane |
+//! | `soundness` | which candidates are maps |
 //! | `search` | scan, descents, polish, in steps with a deadline |
 //! | `landscape` | the criterion as a function of x₁ |
 //! | `region`, `statistics`, `symmetry` | where, and of what |
@@ -24,6 +25,7 @@ mod landscape;
 mod region;
 mod search;
 mod simplex;
+mod soundness;
 mod statistics;
 mod symmetry;
 

@@ -6,13 +6,15 @@
 //!    criterion is measured as it is for the start. 5. **Polish** of the best: a descent on the map itself. Last, whether the
 //!    boundary points may stay as they were.
 //!
-//! Guaranteed: the result is never worse than the start, both measured on the map; the same input gives the same result, bit
-//! for bit, however it is divided into steps. Not guaranteed: that no better map exists where the scan has no place near it.
+//! Guaranteed: the result is never worse than the start, both measured on the map, and as sound (`soundness`) where a surface
+//! is mapped; the same input gives the same result, bit for bit, however it is divided into steps. Not guaranteed: that no
+//! better map exists where the scan has no place near it.
 
 use super::chart::Chart;
 use super::criterion::Value;
 use super::descent::{Descent, Descents, MOST_DESCENT};
 use super::family::{Family, Nodes, Staying};
+use super::soundness::Soundness;
 use super::{Criterion, OptimizeError};
 use crate::conformal::{
     ConformalMap, Constraints, Direction, MapError, MapSettings, Moebius, PerSide, PreparedSide, Side,
@@ -123,6 +125,8 @@ pub struct Optimization {
     family: Option<(Family, Nodes)>,
     staying: Option<Staying>,
     found: Option<Found>,
+    /// The limits of what a surface's map may be; none where an outline is mapped.
+    soundness: Option<Soundness>,
     evaluations: usize,
     course: Vec<Least>,
     /// What is minimized, of the best map since closed form or measurement began.
@@ -148,6 +152,7 @@ impl Optimization {
             family: None,
             staying: None,
             found: None,
+            soundness: None,
             evaluations: 0,
             course: Vec::new(),
             least: f64::INFINITY,
@@ -251,6 +256,7 @@ impl Optimization {
         let value = self.criterion.measure(&self.map).ok_or(OptimizeError::EmptyRegion)?;
         let objective = self.criterion.objective(value, &self.map);
         self.found = Some(Found { constraints: self.start, before: value, after: value, objective });
+        self.soundness = self.map.mapped().is_surface().then(|| Soundness::of(&self.map.quality()));
         self.note(Value { criterion: value, objective }, true);
         Ok(Stage::Chart(None))
     }
@@ -262,7 +268,8 @@ impl Optimization {
         let target = Chart::new(Side::Target, self.map.side(Side::Target))?;
         let family = Family::new(PerSide::new(source, target), self.criterion.clone(), self.map.mapped_side());
         let scan = Scan { coming: candidates(&family, &self.start), tried: Vec::new() };
-        let nodes = family.nodes(if self.criterion.symmetries().is_some() { FEW_MOVED } else { FEW });
+        let nodes = if self.criterion.symmetries().is_some() { FEW_MOVED } else { FEW };
+        let nodes = family.limited_nodes(nodes, &self.start);
         self.least = f64::INFINITY;
         self.family = Some((family, nodes));
         Ok(Stage::Scan(scan))
@@ -284,7 +291,7 @@ impl Optimization {
         }
         let many = if self.criterion.symmetries().is_some() { MANY_MOVED } else { MANY };
         let Some((family, nodes)) = &mut self.family else { return Stage::Done };
-        *nodes = family.nodes(many);
+        *nodes = family.limited_nodes(many, &self.start);
         // among more triangles the values are others
         let best = apart(descents.ended, FITS, None).into_iter().map(|(_, map)| (f64::INFINITY, map));
         Descents::new(best.collect(), FIT_STEP).map_or(Stage::Keep(VecDeque::new()), Stage::Fit)
@@ -297,8 +304,11 @@ impl Optimization {
         self.least = f64::INFINITY;
         let ends = apart(descents.ended, FITS, None);
         let Some(&best) = ends.front() else { return Stage::Keep(VecDeque::new()) };
+        // where no end is a sound map, the start's valley is searched
+        let family = self.family.as_ref().filter(|_| self.soundness.is_some());
+        let start = family.and_then(|(family, _)| family.moebius(&self.start));
         Stage::Compare(Comparison {
-            coming: ends.into_iter().map(|(_, map)| map).collect(),
+            coming: ends.into_iter().map(|(_, map)| map).chain(start).collect(),
             best: (f64::INFINITY, best.1),
         })
     }
@@ -369,6 +379,9 @@ impl Optimization {
         let is_start = constraints == self.start;
         let most = if is_start { known.objective + ROUNDING } else { known.objective * (1.0 + NEGLIGIBLE) + ROUNDING };
         let after = self.criterion.measure(&self.map).unwrap_or(f64::INFINITY);
+        if !self.is_sound() {
+            return Stage::Keep(coming);
+        }
         if value <= most && (is_start || after < known.before) || is_start && known.after > after {
             self.found = Some(Found { constraints, after, objective: value, ..known });
         }
@@ -390,13 +403,25 @@ impl Optimization {
             Ok(true) => self.criterion.measure(&self.map).unwrap_or(f64::INFINITY),
             Err(_) => f64::INFINITY,
         };
-        let objective = if value.is_finite() { self.criterion.objective(value, &self.map) } else { value };
-        self.note(Value { criterion: value, objective }, true);
         self.evaluations += 1;
+        if !value.is_finite() {
+            return Some(value);
+        }
+        let objective = self.criterion.objective(value, &self.map);
+        let penalty = self.soundness.map_or(0.0, |limits| limits.penalty(&self.map.quality(), objective));
+        if penalty > 0.0 {
+            return Some(objective + penalty);
+        }
+        self.note(Value { criterion: value, objective }, true);
         if let Some(found) = self.found.as_mut().filter(|found| objective < found.objective) {
             (found.constraints, found.after, found.objective) = (*constraints, value, objective);
         }
         Some(objective)
+    }
+
+    /// Whether the map that was measured last is within the limits of the start.
+    fn is_sound(&self) -> bool {
+        self.soundness.is_none_or(|limits| limits.holds(&self.map.quality()))
     }
 
     fn note(&mut self, value: Value, is_measured: bool) {

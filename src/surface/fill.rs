@@ -1,19 +1,23 @@
 //! Filling holes: a fan around a new vertex in the middle of the loop; a loop of three becomes a triangle.
 //!
 //! Where a triangle of the fan would be flat or lie upside down, as in a hole that is not star-shaped, the loop's own
-//! vertices are joined: of the triangulations without flat or reversed triangles the one whose triangles are nearest to
-//! equilateral (dynamic programming, as in Barequet and Sharir 1995). A loop that bounds no area, such as a slit whose
-//! vertices lie in a line, has no filling: that is an error which names it.
+//! vertices are joined. A loop that is a simple polygon seen along its normal has the Delaunay triangulation of that
+//! polygon (`flat_filling`), whatever its size. Any other one has, of the triangulations without flat or reversed triangles,
+//! that whose triangles are nearest to equilateral (dynamic programming, as in Barequet and Sharir 1995), if it is not too
+//! long for that. A loop that bounds no area, such as a slit whose vertices lie in a line, has no filling: that is an error
+//! which names it.
 
 use super::edges::ends;
+use super::flat_filling::flat_filling;
 use super::repair::{ADDED, RepairNote, Repaired};
 use super::survey::{is_flat, report};
 use super::{LoopReport, TopologyError};
 use crate::geometry::DVec3;
 use crate::mesh::VertexId;
 
-/// The most vertices of a loop that are joined: at 256 it takes 3 million steps. Longer ones always have a fan.
-const MOST_JOINED: usize = 256;
+/// The most vertices of a loop that are joined by dynamic programming: at 512 it takes 22 million steps. Longer ones that
+/// are no simple polygon from any side have a fan.
+const MOST_JOINED: usize = 512;
 
 /// Fills all `loops` but the first one. The new triangles come last. Errors: a loop that bounds no area.
 pub(super) fn fill_holes(repaired: &mut Repaired, loops: &[Vec<u32>]) -> Result<(), TopologyError> {
@@ -56,6 +60,14 @@ fn fill(repaired: &mut Repaired, hole: &[u32], edges: &mut Option<Vec<[u32; 2]>>
             let edge = [hole[i].min(hole[j]), hole[i].max(hole[j])];
             edges.binary_search(&edge).is_ok()
         };
+        if let Some(filling) = flat_filling(&places, normal, &is_edge) {
+            let first = repaired.surface.vertices.len() as u32;
+            let number = |k: usize| if k < n { hole[k] } else { first + (k - n) as u32 };
+            repaired.surface.triangles.extend(filling.triangles.iter().map(|corners| corners.map(number)));
+            repaired.vertex_origins.resize(repaired.vertex_origins.len() + filling.added.len(), ADDED);
+            repaired.surface.vertices.extend(filling.added);
+            return true;
+        }
         let is_fan_flat = fan.iter().any(|&triangle| is_flat(triangle));
         let joined = joined(&places, &is_upright, &is_edge);
         // a loop that is far from a plane has no upright side

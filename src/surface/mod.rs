@@ -6,7 +6,7 @@
 //! | changes made by a reader, positions in files | `note` |
 //! | connectivity, and reasons why a surface is not a disk | `survey`, `duplicates`, `topology_error` |
 //! | all places of a fault, for a picture | `faults` |
-//! | safe repairs, each reported | `repair`, `fill` |
+//! | safe repairs, each reported | `repair`, `fill`, `flat_filling` |
 //! | numbering: boundary loop first, interior after | `disk` |
 //! | the filled boundary loops, and the triangles without their filling | `holes` |
 //! | the default interior point | `farthest` |
@@ -21,6 +21,7 @@ mod edges;
 mod farthest;
 mod faults;
 mod fill;
+mod flat_filling;
 mod head;
 mod holes;
 mod nearest;

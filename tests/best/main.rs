@@ -10,6 +10,8 @@ mod by_hand;
 #[cfg(feature = "app")]
 mod command_line;
 #[cfg(feature = "io")]
+mod eggs;
+#[cfg(feature = "io")]
 mod shared_data;
 mod through_disk;
 

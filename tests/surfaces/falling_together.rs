@@ -23,7 +23,9 @@ fn told(map: &ConformalMap) -> [usize; 2] {
     let height = |t: &[u32; 3]| {
         let [a, b, c] = t.map(|v| images[v as usize]);
         let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-        if longest > 0.0 { (b - a).perp_dot(c - a).abs() / longest } else { 0.0 }
+        let height = if longest > 0.0 { (b - a).perp_dot(c - a).abs() / longest } else { 0.0 };
+        // an image that is not a thousand times as long as its error is a point
+        height.min(1e-3 * longest)
     };
     let heights: Vec<f64> = mesh.triangles().iter().map(height).collect();
     let edges = match map.note(map.mapped_side()) {

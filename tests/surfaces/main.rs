@@ -5,6 +5,7 @@
 
 mod between;
 mod falling_together;
+mod holes;
 mod shared_data;
 #[path = "../support/mod.rs"]
 mod support;

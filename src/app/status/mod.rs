@@ -94,11 +94,13 @@ fn facts(
     ui.horizontal_centered(|ui| {
         ui.spacing_mut().item_spacing.x = if narrow { 12.0 } else { 20.0 };
         if let Some(quality) = model.quality() {
-            mean_q(ui, quality.q_mean, palette.weak).on_hover_text(format!(
-                "{}\n\n{}",
-                tr(words::QUALITY_TOOLTIP),
-                say(&key::largest_q(number(quality.q_max, 3)))
-            ));
+            let largest = say(&key::largest_q(number(quality.q_max, 3)));
+            let tooltip = format!("{}\n\n{largest}", tr(words::QUALITY_TOOLTIP));
+            mean_q(ui, quality.resolved_mean(), palette.weak).on_hover_text(tooltip);
+            if quality.collapsed > 0 {
+                let share = say(&key::collapsed_area(number(100.0 * quality.collapsed_area, 2)));
+                ui.label(weak(share)).on_hover_text(tr(key::collapsed_area_tooltip()));
+            }
             let ink = if quality.flipped == 0 { palette.weak } else { palette.error_edge };
             let flipped = say(&key::flipped(grouped(quality.flipped as usize)));
             ui.label(RichText::new(flipped).small().color(ink)).on_hover_text(tr(words::FLIPPED_TOOLTIP));
@@ -153,14 +155,15 @@ fn sizes(ui: &mut Ui, model: &Model) {
     ui.label(RichText::new(text).small().color(Palette::of(ui.visuals()).weak)).on_hover_text(details);
 }
 
-/// Q̄ and its value. The bar is painted: the combining character is not placed over the letter before it.
-fn mean_q(ui: &mut Ui, mean: f64, ink: egui::Color32) -> egui::Response {
-    let response = ui.label(RichText::new(format!("Q {}", number(mean, 3))).small().color(ink));
+/// Q̄ and its value, or that it is not resolved. The bar is painted: the combining character is not placed over the letter before it.
+fn mean_q(ui: &mut Ui, mean: Option<f64>, ink: egui::Color32) -> egui::Response {
+    let value = mean.map_or_else(|| String::from(tr(key::quality_unresolved())), |mean| number(mean, 3));
+    let response = ui.label(RichText::new(format!("Q {value}")).small().color(ink));
     let font = egui::TextStyle::Small.resolve(ui.style());
     let (left, above) = (response.rect.left(), response.rect.top() + BAR_ABOVE * font.size);
     let width = text_width(ui, "Q", font);
     ui.painter().hline(left..=left + width, above, egui::Stroke::new(1.0, ink));
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, format!("Q̄ {}", number(mean, 3))));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, format!("Q̄ {value}")));
     response
 }
 

@@ -132,12 +132,14 @@ pub struct MapStats {
 pub struct QualityStats {
     /// The [`MapStats::generation`] of the map that it is of.
     pub measured_generation: u64,
-    /// Area-weighted mean of the angle distortion Q.
+    /// Area-weighted mean of the angle distortion Q; `None` where it is not resolved.
     pub q_mean: Option<f64>,
     /// The largest Q.
     pub q_max: Option<f64>,
     /// Triangles that changed their orientation.
     pub flipped: Option<u32>,
+    /// The share of the area in triangles whose image is a point or a segment.
+    pub collapsed_area: Option<f64>,
 }
 
 /// What is drawn of the map, and beside it.
@@ -300,9 +302,10 @@ fn quality(model: &Model) -> QualityStats {
     let quality = model.quality();
     QualityStats {
         measured_generation: model.measured_generation(),
-        q_mean: quality.map(|q| q.q_mean),
+        q_mean: quality.and_then(|q| q.resolved_mean()),
         q_max: quality.map(|q| q.q_max),
         flipped: quality.map(|q| q.flipped),
+        collapsed_area: quality.map(|q| q.collapsed_area),
     }
 }
 
@@ -368,12 +371,13 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 54] = [
+    const KEYS: [&str; 55] = [
         "backend",
         "best",
         "boundary_checksum",
         "cauchy_green",
         "close",
+        "collapsed_area",
         "colouring",
         "comparison",
         "dark",

@@ -89,7 +89,7 @@ impl Shown {
             let side = self.map.side(side);
             row.extend([side.boundary_count().into(), side.triangles().len().into()]);
         }
-        let Quality { q_mean, q_max, flipped, collapsed } = Quality::summary(&self.triangles);
+        let Quality { q_mean, q_max, flipped, collapsed, .. } = Quality::summary(&self.triangles);
         let (resolved, share) = resolved_mean(&self.triangles);
         row.extend([q_mean, resolved, share, q_max].map(Cell::from));
         row.extend([flipped, collapsed].map(Cell::from));

@@ -674,6 +674,7 @@ accessible_quality = { $count ->
     [one] Mittlere Winkelverzerrung { $mean }; { $count } Dreieck umgeklappt.
    *[other] Mittlere Winkelverzerrung { $mean }; { $count } Dreiecke umgeklappt.
 }
+accessible_collapsed = { $share } Prozent der Fläche sind Dreiecke ohne aufgelöstes Bild.
 being_prepared = Wird vorbereitet.
 problem = Problem: { $what }
 accessible_surface_map = Die Fläche { $surface }, konform abgebildet auf den Umriss { $outline }.
@@ -700,6 +701,7 @@ error_estimate = Fehler { $value }
 unresolved = unaufgelöst { $share }
 largest_q = größtes Q: { $value }
 flipped = umgeklappt { $count }
+collapsed_area = zusammengefallen { $share } %
 frame_parts = Kern { $kernel } ms + Abgleich { $matching } ms + Fortsetzung { $extension } ms
 frame_times = Rechnen { $compute } ms + Zeichnen { $draw } ms
 fps = { $rate } Bilder/s
@@ -862,6 +864,8 @@ pending = die volle Abbildung wird berechnet…
 pending_tooltip = Diese Abbildung braucht länger als ein Bild. Solange sich ein Punkt bewegt und bis die volle da ist, wird eine grobe gezeigt.
 size_tooltip = m: Randpunkte. n: innere Ecken des Netzes.
 quality_tooltip = Q ist das Verhältnis der beiden Singulärwerte der Abbildung auf einem Dreieck: 1, wo Winkel erhalten bleiben. Q̄ ist sein flächengewichtetes Mittel über das Netz; das größte Q steht hier.
+quality_unresolved = nicht aufgelöst
+collapsed_area_tooltip = Der Flächenanteil der Dreiecke, deren Bild bis auf Rundung ein Punkt oder eine Strecke ist. Sie haben kein Q und zählen nicht zu Q̄, das nicht aufgelöst ist, wo sie mehr als 1 % sind.
 flipped_tooltip = Dreiecke, deren Umlaufsinn die Abbildung umgekehrt hat. Bei einer guten Abbildung keine; wo es welche gibt, helfen mehr Randpunkte.
 frame_tooltip = Was die letzte Berechnung der Abbildung gekostet hat: Kern (harmonisches Maß: die Wahrscheinlichkeit, dass eine Irrfahrt ab x durch ein Randstück austritt), Abgleich (die Maße der Ränder werden gleich gemacht), Fortsetzung (ins Innere), und was das Zeichnen den Prozessor gekostet hat.
 source = Urbild

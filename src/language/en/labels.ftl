@@ -674,6 +674,7 @@ accessible_quality = { $count ->
     [one] Mean angle distortion { $mean }; { $count } triangle flipped.
    *[other] Mean angle distortion { $mean }; { $count } triangles flipped.
 }
+accessible_collapsed = { $share } percent of the area are triangles that have no resolved image.
 being_prepared = Being prepared.
 problem = Problem: { $what }
 accessible_surface_map = The surface { $surface }, mapped conformally to the outline { $outline }.
@@ -700,6 +701,7 @@ error_estimate = error { $value }
 unresolved = unresolved { $share }
 largest_q = largest Q: { $value }
 flipped = flipped { $count }
+collapsed_area = collapsed { $share } %
 frame_parts = kernel { $kernel } ms + match { $matching } ms + extend { $extension } ms
 frame_times = frame { $compute } ms + draw { $draw } ms
 fps = { $rate } fps
@@ -862,6 +864,8 @@ pending = computing the full map…
 pending_tooltip = This map takes longer than a frame. A coarse one is shown while a dot moves, until the full one is there.
 size_tooltip = m: boundary samples. n: interior vertices of the mesh.
 quality_tooltip = Q is the ratio of the two singular values of the map on a triangle: 1 where angles are kept. Q̄ is its area-weighted mean over the mesh; the largest Q is shown here.
+quality_unresolved = not resolved
+collapsed_area_tooltip = The share of the area in triangles whose image is a point or a segment up to rounding. They have no Q and are left out of Q̄, which is not resolved where they are more than 1 %.
 flipped_tooltip = Triangles whose orientation the map reversed. None for a good map; more boundary samples help where there are some.
 frame_tooltip = What the last update of the map took: kernel (harmonic measure: the chance that a random walk from x leaves through a part of the boundary), match (the boundaries' measures are made equal), extend (to the inside), and what drawing took on the processor.
 source = source

@@ -171,7 +171,7 @@ keys_of_labels! {
     // formula
     format, digits, digits_tooltip, inverse_of_f, formula_of_earlier_map,
     // words
-    cauchy_green_gpu, cauchy_green_cpu, pending, pending_tooltip, size_tooltip, quality_tooltip, flipped_tooltip,
+    cauchy_green_gpu, cauchy_green_cpu, pending, pending_tooltip, size_tooltip, quality_tooltip, quality_unresolved, collapsed_area_tooltip, flipped_tooltip,
     frame_tooltip, source, target, stage_sample, stage_assemble, stage_order, stage_table, waiting_worker,
     reading, sampling_boundary, triangulating, assembling_laplacian, ordering, factoring, solved_iteratively,
     mesh_is_coarser,
@@ -232,11 +232,11 @@ keys_of_messages! {
     // interpretation
     outline_of(side); taken_for(kind, corners); corners_of(count); corner_at(number, x, y);
     // accessibility
-    accessible_quality(mean, count); problem(what); accessible_surface_map(surface, outline); accessible_map(source, target);
+    accessible_quality(mean, count); accessible_collapsed(share); problem(what); accessible_surface_map(surface, outline); accessible_map(source, target);
     accessible_map_of_surfaces(source, target);
     points_of_side(interior, place, boundary, percent); accessible_pointed(point, image, scale, turning);
     // status
-    pointed(point, image, scale, turning); error_estimate(value); unresolved(share); unknowns_of(side, count); kernel_of(side, kernel); largest_q(value); flipped(count); frame_parts(kernel, matching, extension); frame_times(compute, draw); fps(rate);
+    pointed(point, image, scale, turning); error_estimate(value); unresolved(share); unknowns_of(side, count); kernel_of(side, kernel); largest_q(value); flipped(count); collapsed_area(share); frame_parts(kernel, matching, extension); frame_times(compute, draw); fps(rate);
     // tour
     of(part, whole); probed(scale, turning);
     // lesson
