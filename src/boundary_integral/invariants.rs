@@ -1,7 +1,8 @@
 //! Conformal invariants of a domain, each with an error estimate.
 //!
 //! Every number is computed at two resolutions; the finer one's value is returned, and the difference is its error,
-//! with an allowance for rounding.
+//! with an allowance for rounding, and for what a spline's points leave open of the boundary: moved outwards by δ(s), it
+//! has log R and log c larger by 2π ∫ μ² δ ds (Hadamard's formula), μ the density of the measure from x or of equilibrium.
 //!
 //! | | |
 //! |---|---|
@@ -11,8 +12,12 @@
 //! | hyperbolic distance | 2 artanh e^{−G}, Green's function G = ∫ log\|s − x₂\| dω_{x₁}(s) − log\|x₁ − x₂\| |
 
 use super::elliptic::modulus;
+use super::legendre::{NODES, Rule};
+use super::peak::peaks;
+use super::spans::left_open;
 use super::{BoundaryIntegral, BoundaryIntegralError, MAX_UNKNOWNS, Problem, Settings, System};
-use crate::geometry::{Curve, CurvePoint, DVec2};
+use crate::geometry::{Curve, CurvePoint, DVec2, Piece};
+use std::f64::consts::TAU;
 
 /// A number with an estimate of its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,8 +91,37 @@ struct Numbers {
     log_radius: f64,
     log_capacity: f64,
     green: Option<f64>,
+    /// What the points of a spline leave open.
+    open: Open,
     /// The places of the nodes.
     places: Vec<DVec2>,
+}
+
+/// Errors by what the points of splines leave open of the boundary; 0 without splines.
+#[derive(Debug, Clone, Copy, Default)]
+struct Open {
+    measure: f64,
+    log_radius: f64,
+    log_capacity: f64,
+}
+
+impl Open {
+    /// From the measure at one resolution, and the charges of the measure and of equilibrium.
+    fn new(integral: &BoundaryIntegral, measure: f64, [swept, equilibrium]: [&[f64]; 2]) -> Self {
+        if !integral.curve.pieces().iter().any(|piece| matches!(piece, Piece::Spline { .. })) {
+            return Self::default();
+        }
+        let lengths = integral.system.panel_lengths();
+        let open: Vec<f64> = integral.layout.panels.iter().map(|panel| left_open(&integral.curve, panel)).collect();
+        let moved = |charges: &[f64]| {
+            let at = |(k, charge): (usize, &f64)| {
+                let (panel, weight) = (k / NODES, 0.5 * Rule::get().weights[k % NODES]);
+                charge * charge * open[panel] / (weight * lengths[panel])
+            };
+            TAU * charges.iter().enumerate().map(at).sum::<f64>()
+        };
+        Self { measure, log_radius: moved(swept) + measure, log_capacity: moved(equilibrium) + measure }
+    }
 }
 
 /// Rounding of sums of a thousand terms of order 1: on regular polygons, rectangles, ellipses and the L-shape the
@@ -107,18 +141,23 @@ pub fn invariants(curve: &Curve, request: &InvariantsRequest) -> Result<Invarian
     let fine = Numbers::compute(curve, request, &settings.finer())?;
     // the distance between a point and the boundary is known to rounding of their coordinates
     let condition = points.iter().map(|x| 0.25 * curve.perimeter() / fine.distance(*x)).fold(1.0, f64::max);
-    let radius = both(coarse.log_radius, fine.log_radius, condition).exp();
+    let open = fine.open;
+    let radius = both(coarse.log_radius, fine.log_radius, condition).wider(open.log_radius).exp();
+    let measure = |a: f64, b: f64| measure(a, b).wider(open.measure);
     let pairs = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| measure(*a, *b)).collect::<Vec<_>>();
     let marked = coarse.arcs.zip(fine.arcs);
     Ok(Invariants {
         pieces: pairs(&coarse.pieces, &fine.pieces),
         arcs: marked.map(|(a, b)| std::array::from_fn(|k| measure(a[k], b[k]))),
         conformal_radius: radius,
-        capacity: both(coarse.log_capacity, fine.log_capacity, 1.0).exp(),
-        modulus: marked.map(|(a, b)| modulus_of_both(a, b)),
+        capacity: both(coarse.log_capacity, fine.log_capacity, 1.0).wider(open.log_capacity).exp(),
+        modulus: marked.map(|(a, b)| modulus_of_both(a, b).wider(modulus_change(b, open.measure))),
         hyperbolic_distance: match request.second_point {
             Some(second) if second == request.point => Some(Estimate { value: 0.0, error: 0.0 }),
-            _ => coarse.green.zip(fine.green).map(|(a, b)| both(a, b, 1.0).hyperbolic(condition)),
+            _ => coarse
+                .green
+                .zip(fine.green)
+                .map(|(a, b)| both(a, b, 1.0).wider(open.measure.max(open.log_radius)).hyperbolic(condition)),
         },
         unknowns: [coarse.places.len(), fine.places.len()],
     })
@@ -142,16 +181,30 @@ fn measure(coarse: f64, fine: f64) -> Estimate {
 /// the errors of the arcs do to the finer one.
 pub fn modulus_of_both(coarse: [f64; 4], fine: [f64; 4]) -> Estimate {
     let value = modulus(fine);
-    let changed = |k: usize| {
-        let mut arcs = fine;
-        arcs[k] += MEASURE_ROUNDING;
-        (modulus(arcs) - value).abs()
-    };
-    let rounding: f64 = (0..4).map(changed).sum();
+    let rounding = modulus_change(fine, MEASURE_ROUNDING);
     Estimate { value, error: SAFETY * (value - modulus(coarse)).abs() + rounding + ROUNDING * value }
 }
 
+/// How much an error of each arc's measure changes the modulus.
+fn modulus_change(arcs: [f64; 4], error: f64) -> f64 {
+    if error == 0.0 {
+        return 0.0;
+    }
+    let value = modulus(arcs);
+    let changed = |k: usize| {
+        let mut moved = arcs;
+        moved[k] += error;
+        (modulus(moved) - value).abs()
+    };
+    (0..4).map(changed).sum()
+}
+
 impl Estimate {
+    /// With a larger error.
+    fn wider(self, by: f64) -> Self {
+        Self { error: self.error + by, ..self }
+    }
+
     fn exp(self) -> Self {
         let value = self.value.exp();
         Self { value, error: value * self.error.exp_m1() }
@@ -180,8 +233,16 @@ impl Numbers {
         }
         let arcs = request.marks.map(|marks| [0, 1, 2, 3].map(|k| measure.between(marks[k], marks[(k + 1) % 4])));
         let green = |second: DVec2| integral.logarithmic_mean(x, second) - x.distance(second).ln();
+        let swept =
+            integral.system.charges(&integral.system.harmonic(x, &peaks(curve, &integral.layout, &integral.system, x)));
+        let open = Open::new(
+            &integral,
+            measure.error_estimate(),
+            [&swept, &equilibrium.iter().map(|q| q / total).collect::<Vec<f64>>()],
+        );
         Ok(Self {
             pieces: measure.pieces(),
+            open,
             arcs,
             log_radius: integral.logarithmic_mean(x, x),
             log_capacity: exterior.logarithm(&equilibrium, x) / total,

@@ -139,6 +139,13 @@ fn tail(coefficients: &Values) -> f64 {
     coefficients[NODES - 1].abs() + coefficients[NODES - 2].abs()
 }
 
+/// How far the curve may be from a smooth one through the same points, along a panel of a spline; 0 of other pieces.
+pub fn left_open(curve: &Curve, panel: &Panel) -> f64 {
+    let &Piece::Spline { ref spline, from, to } = &curve.pieces()[panel.piece] else { return 0.0 };
+    let ends = if panel.end == End::Start { [from, to] } else { [to, from] };
+    spline.left_open(ends, [panel.from, panel.to])
+}
+
 /// What the polynomials leave open: of the transformed density without the peak's projection, which is what the panel
 /// stands for; of the projection where the panel belongs to a block; and of the spans.
 pub fn unresolved(curve: &Curve, layout: &Layout, spans: &[Span], (transformed, peaks): (&[f64], &Peaks)) -> f64 {
@@ -162,11 +169,9 @@ pub fn unresolved(curve: &Curve, layout: &Layout, spans: &[Span], (transformed, 
         UNRESOLVED * (tail(&coefficients) + within_block)
     };
     let of_spline = |(index, panel): (usize, &Panel)| {
-        let &Piece::Spline { ref spline, from, to } = &curve.pieces()[panel.piece] else { return 0.0 };
-        let ends = if panel.end == End::Start { [from, to] } else { [to, from] };
         let densities = &transformed[index * NODES..(index + 1) * NODES];
         let density = densities.iter().fold(0.0_f64, |most, density| most.max(density.abs()));
-        DISPLACEMENT * density * spline.left_open(ends, [panel.from, panel.to])
+        DISPLACEMENT * density * left_open(curve, panel)
     };
     let of_panels = layout.panels.iter().enumerate().map(of_panel).fold(0.0, f64::max);
     let of_spans = spans.iter().filter_map(Span::coefficients).map(tail).fold(0.0, f64::max);
