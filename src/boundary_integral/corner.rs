@@ -169,9 +169,13 @@ impl BlockMesh {
 /// The matrix on both legs that acts on each as this one does.
 fn on_both(matrix: &Mat<f64>) -> Mat<f64> {
     let (rows, columns) = (matrix.nrows(), matrix.ncols());
-    Mat::from_fn(2 * rows, 2 * columns, |i, j| {
-        if i / rows == j / columns { matrix[(i % rows, j % columns)] } else { 0.0 }
-    })
+    Mat::from_fn(
+        2 * rows,
+        2 * columns,
+        |i, j| {
+            if i / rows == j / columns { matrix[(i % rows, j % columns)] } else { 0.0 }
+        },
+    )
 }
 
 /// Panels on one leg with their nodes.
@@ -206,7 +210,8 @@ impl LegMesh {
     /// K from the panels of `source`, on the other leg, to the nodes of this mesh.
     pub fn across(&self, source: &Self) -> Mat<f64> {
         let mut matrix = Mat::zeros(self.nodes.len(), source.nodes.len());
-        for (b, (panel, (slope, middle))) in source.nodes.as_chunks::<NODES>().0.iter().zip(&source.slopes).enumerate() {
+        for (b, (panel, (slope, middle))) in source.nodes.as_chunks::<NODES>().0.iter().zip(&source.slopes).enumerate()
+        {
             let rate = panel[0].weight / Rule::get().weights[0];
             for (i, y) in self.nodes.iter().enumerate() {
                 let differences = panel.each_ref().map(|s| y.offset - s.offset);

@@ -6,7 +6,7 @@ use crate::geometry::DVec2;
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize, serde::Deserialize)]
 #[non_exhaustive]
 pub enum BoundaryIntegralError {
-    /// The boundary needs more unknowns than the dense factor may have.
+    /// The boundary needs more unknowns than there is room for.
     #[error(
         "the boundary needs at least {needed} unknowns, more than the limit of {limit}: it has too many corners, or parts too close to each other"
     )]

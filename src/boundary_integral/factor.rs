@@ -97,9 +97,7 @@ impl Factor {
 #[cfg(feature = "io")]
 pub fn is_permutation(indices: &[u32]) -> bool {
     let mut is_there = vec![false; indices.len()];
-    indices.iter().all(|&index| {
-        is_there.get_mut(index as usize).is_some_and(|there| !std::mem::replace(there, true))
-    })
+    indices.iter().all(|&index| is_there.get_mut(index as usize).is_some_and(|there| !std::mem::replace(there, true)))
 }
 
 /// The LU factor of a dense matrix.

@@ -135,13 +135,6 @@ impl HierarchicalFactor {
     pub fn len(&self) -> usize {
         self.order.len()
     }
-
-    /// The memory of the stored numbers.
-    pub fn bytes(&self) -> usize {
-        let of = |matrix: &Mat<f64>| 8 * matrix.nrows() * matrix.ncols();
-        let clusters = self.levels.iter().flatten().map(|cluster| of(&cluster.inner) + of(&cluster.restrict));
-        clusters.sum::<usize>() + 8 * self.top.len() * self.top.len()
-    }
 }
 
 #[cfg(feature = "io")]
@@ -239,12 +232,7 @@ fn leaves(entries: &Entries<'_>, blocks: &[PlacedBlock], gathering: Gathering) -
 }
 
 /// Divides atoms into 2^depth groups of about as many nodes; by place, across the longer extent of each part.
-fn bisect(
-    atoms: &mut [(DVec2, Range<usize>)],
-    gathering: Gathering,
-    depth: u32,
-    groups: &mut Vec<Vec<Range<usize>>>,
-) {
+fn bisect(atoms: &mut [(DVec2, Range<usize>)], gathering: Gathering, depth: u32, groups: &mut Vec<Vec<Range<usize>>>) {
     if depth == 0 || atoms.len() < 2 {
         groups.push(atoms.iter().map(|(_, atom)| atom.clone()).collect());
         return;
@@ -270,7 +258,8 @@ fn leaf(entries: &Entries<'_>, blocks: &[PlacedBlock], atoms: &[Range<usize>]) -
     let nodes: Vec<usize> = panels.flat_map(|panel| panel * NODES..(panel + 1) * NODES).collect();
     let mut diagonal = Mat::zeros(nodes.len(), nodes.len());
     entries.for_each(&nodes, &nodes, |i, j, value| diagonal[(i, j)] = value);
-    let mut outgoing = Mat::from_fn(nodes.len(), nodes.len(), |i, j| if i == j { entries.weight(nodes[i]) } else { 0.0 });
+    let mut outgoing =
+        Mat::from_fn(nodes.len(), nodes.len(), |i, j| if i == j { entries.weight(nodes[i]) } else { 0.0 });
     let mut own: Vec<usize> = nodes.iter().filter_map(|&node| entries.block(node)).collect();
     own.dedup();
     for block in own.into_iter().map(|block| &blocks[block]) {
@@ -322,7 +311,9 @@ impl Neighborhood {
         for &node in &self.nodes[k] {
             let sources = entries.close_panels(node).flat_map(|panel| panel * NODES..(panel + 1) * NODES);
             let targets = entries.close_nodes(node / NODES).iter().map(|&node| node as usize);
-            near.extend(sources.chain(targets).filter(|&node| self.owner[node].is_some_and(|owner| owner as usize != k)));
+            near.extend(
+                sources.chain(targets).filter(|&node| self.owner[node].is_some_and(|owner| owner as usize != k)),
+            );
         }
         near.sort_unstable();
         near.dedup();
@@ -360,7 +351,8 @@ fn interactions(entries: &Entries<'_>, neighborhood: &Neighborhood, k: usize) ->
     let first = 2 * near.len();
     let mut matrix = Mat::zeros(first + 2 * PROXIES + 2, nodes.len());
     entries.for_each(nodes, &near, |i, j, value| matrix[(j, i)] = radius * value / entries.weight(near[j]));
-    entries.for_each(&near, nodes, |i, j, value| matrix[(near.len() + i, j)] = radius * value / entries.weight(nodes[j]));
+    entries
+        .for_each(&near, nodes, |i, j, value| matrix[(near.len() + i, j)] = radius * value / entries.weight(nodes[j]));
     let directions: Vec<DVec2> = (0..PROXIES).map(|k| DVec2::from_angle(TAU * k as f64 / PROXIES as f64)).collect();
     for (j, &node) in nodes.iter().enumerate() {
         let (place, normal) = (entries.place(node) - center, entries.normal(node));

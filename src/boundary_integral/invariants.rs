@@ -12,10 +12,11 @@
 //! | hyperbolic distance | 2 artanh e^{−G}, Green's function G = ∫ log\|s − x₂\| dω_{x₁}(s) − log\|x₁ − x₂\| |
 
 use super::elliptic::modulus;
+use super::layout::{Layout, layout};
+use super::leg::Node;
 use super::legendre::{NODES, Rule};
-use super::peak::peaks;
 use super::spans::left_open;
-use super::{BoundaryIntegral, BoundaryIntegralError, MAX_UNKNOWNS, Problem, Settings, System};
+use super::{BoundaryIntegral, BoundaryIntegralError, Problem, Settings, System};
 use crate::geometry::{Curve, CurvePoint, DVec2, Piece};
 use std::f64::consts::TAU;
 
@@ -34,13 +35,12 @@ pub struct InvariantsRequest {
     point: DVec2,
     second_point: Option<DVec2>,
     marks: Option<[CurvePoint; 4]>,
-    max_unknowns: usize,
 }
 
 impl InvariantsRequest {
     /// The invariants that `point` determines.
     pub fn new(point: DVec2) -> Self {
-        Self { point, second_point: None, marks: None, max_unknowns: MAX_UNKNOWNS }
+        Self { point, second_point: None, marks: None }
     }
 
     /// Also the hyperbolic distance to a second point.
@@ -56,13 +56,6 @@ impl InvariantsRequest {
         self.marks = marks;
         self
     }
-
-    /// The limit of the number of unknowns of the finer resolution.
-    #[must_use]
-    pub fn with_max_unknowns(mut self, max_unknowns: usize) -> Self {
-        self.max_unknowns = max_unknowns;
-        self
-    }
 }
 
 /// Conformal invariants.
@@ -76,7 +69,8 @@ pub struct Invariants {
     pub conformal_radius: Estimate,
     /// The logarithmic capacity of the curve.
     pub capacity: Estimate,
-    /// The extremal distance between the arc from mark 1 to 2 and the arc from mark 3 to 4.
+    /// The extremal distance between the arc from mark 1 to 2 and the arc from mark 3 to 4, as seen from the point: of long
+    /// quadrilaterals, and from points next to a mark, little is seen (`Quadrilateral` looks for points that see it).
     pub modulus: Option<Estimate>,
     /// The distance to the second point in the metric of curvature −1.
     pub hyperbolic_distance: Option<Estimate>,
@@ -93,6 +87,8 @@ struct Numbers {
     green: Option<f64>,
     /// What the points of a spline leave open.
     open: Open,
+    /// What the measure violates its identities by.
+    violation: f64,
     /// The places of the nodes.
     places: Vec<DVec2>,
 }
@@ -103,25 +99,6 @@ struct Open {
     measure: f64,
     log_radius: f64,
     log_capacity: f64,
-}
-
-impl Open {
-    /// From the measure at one resolution, and the charges of the measure and of equilibrium.
-    fn new(integral: &BoundaryIntegral, measure: f64, [swept, equilibrium]: [&[f64]; 2]) -> Self {
-        if !integral.curve.pieces().iter().any(|piece| matches!(piece, Piece::Spline { .. })) {
-            return Self::default();
-        }
-        let lengths = integral.system.panel_lengths();
-        let open: Vec<f64> = integral.layout.panels.iter().map(|panel| left_open(&integral.curve, panel)).collect();
-        let moved = |charges: &[f64]| {
-            let at = |(k, charge): (usize, &f64)| {
-                let (panel, weight) = (k / NODES, 0.5 * Rule::get().weights[k % NODES]);
-                charge * charge * open[panel] / (weight * lengths[panel])
-            };
-            TAU * charges.iter().enumerate().map(at).sum::<f64>()
-        };
-        Self { measure, log_radius: moved(swept) + measure, log_capacity: moved(equilibrium) + measure }
-    }
 }
 
 /// Rounding of sums of a thousand terms of order 1: on regular polygons, rectangles, ellipses and the L-shape the
@@ -136,28 +113,29 @@ pub fn invariants(curve: &Curve, request: &InvariantsRequest) -> Result<Invarian
     if let Some(&at) = points.iter().find(|x| !curve.contains(**x)) {
         return Err(BoundaryIntegralError::NotInside { at });
     }
-    let settings = Settings::default().with_points(&points).with_max_unknowns(request.max_unknowns);
+    let settings = Settings::default().with_points(&points);
     let coarse = Numbers::compute(curve, request, &settings)?;
     let fine = Numbers::compute(curve, request, &settings.finer())?;
     // the distance between a point and the boundary is known to rounding of their coordinates
     let condition = points.iter().map(|x| 0.25 * curve.perimeter() / fine.distance(*x)).fold(1.0, f64::max);
-    let open = fine.open;
-    let radius = both(coarse.log_radius, fine.log_radius, condition).wider(open.log_radius).exp();
-    let measure = |a: f64, b: f64| measure(a, b).wider(open.measure);
+    let (open, violation) = (fine.open, fine.violation);
+    let beside = open.measure + violation;
+    let radius = both(coarse.log_radius, fine.log_radius, condition).wider(open.log_radius + beside).exp();
+    let measure = |a: f64, b: f64| measure(a, b).wider(beside).in_unit_interval();
     let pairs = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| measure(*a, *b)).collect::<Vec<_>>();
     let marked = coarse.arcs.zip(fine.arcs);
     Ok(Invariants {
         pieces: pairs(&coarse.pieces, &fine.pieces),
         arcs: marked.map(|(a, b)| std::array::from_fn(|k| measure(a[k], b[k]))),
         conformal_radius: radius,
-        capacity: both(coarse.log_capacity, fine.log_capacity, 1.0).wider(open.log_capacity).exp(),
-        modulus: marked.map(|(a, b)| modulus_of_both(a, b).wider(modulus_change(b, open.measure))),
+        capacity: both(coarse.log_capacity, fine.log_capacity, 1.0).wider(open.log_capacity + open.measure).exp(),
+        modulus: marked.map(|(a, b)| modulus_of_both(a, b).wider(modulus_change(b, beside))),
         hyperbolic_distance: match request.second_point {
             Some(second) if second == request.point => Some(Estimate { value: 0.0, error: 0.0 }),
             _ => coarse
                 .green
                 .zip(fine.green)
-                .map(|(a, b)| both(a, b, 1.0).wider(open.measure.max(open.log_radius)).hyperbolic(condition)),
+                .map(|(a, b)| both(a, b, 1.0).wider(beside.max(open.log_radius)).hyperbolic(condition)),
         },
         unknowns: [coarse.places.len(), fine.places.len()],
     })
@@ -205,6 +183,12 @@ impl Estimate {
         Self { error: self.error + by, ..self }
     }
 
+    /// A measure: what rounding has left outside of [0, 1] counts as its error.
+    fn in_unit_interval(self) -> Self {
+        let value = self.value.clamp(0.0, 1.0);
+        Self { value, error: self.error + (value - self.value).abs() }
+    }
+
     fn exp(self) -> Self {
         let value = self.value.exp();
         Self { value, error: value * self.error.exp_m1() }
@@ -225,28 +209,22 @@ impl Numbers {
         let x = request.point;
         let integral = BoundaryIntegral::prepare(curve, settings)?;
         let measure = integral.harmonic_measure(x)?;
-        let exterior = System::new(curve, &integral.layout, Problem::Exterior);
-        let equilibrium = exterior.charges(&exterior.equilibrium());
-        let total: f64 = equilibrium.iter().sum();
-        if !(total.is_finite() && total > 0.0) {
-            return Err(BoundaryIntegralError::Singular);
-        }
+        let swept = integral.swept(x);
         let arcs = request.marks.map(|marks| [0, 1, 2, 3].map(|k| measure.between(marks[k], marks[(k + 1) % 4])));
-        let green = |second: DVec2| integral.logarithmic_mean(x, second) - x.distance(second).ln();
-        let swept =
-            integral.system.charges(&integral.system.harmonic(x, &peaks(curve, &integral.layout, &integral.system, x)));
-        let open = Open::new(
-            &integral,
-            measure.error_estimate(),
-            [&swept, &equilibrium.iter().map(|q| q / total).collect::<Vec<f64>>()],
-        );
+        let equilibrium = Equilibrium::compute(curve, settings)?;
+        let open = |layout, system, charges| moved(curve, (layout, system), charges);
         Ok(Self {
+            open: Open {
+                measure: if has_splines(curve) { measure.error_estimate() } else { 0.0 },
+                log_radius: open(&integral.layout, &integral.system, &swept),
+                log_capacity: open(&equilibrium.layout, &equilibrium.system, &equilibrium.charges),
+            },
+            violation: measure.violation(),
             pieces: measure.pieces(),
-            open,
             arcs,
-            log_radius: integral.logarithmic_mean(x, x),
-            log_capacity: exterior.logarithm(&equilibrium, x) / total,
-            green: request.second_point.map(green),
+            log_radius: integral.system.logarithm(&swept, x),
+            log_capacity: equilibrium.log_capacity(curve),
+            green: request.second_point.map(|y| integral.system.logarithm(&swept, y) - x.distance(y).ln()),
             places: integral.system.places().collect(),
         })
     }
@@ -254,4 +232,61 @@ impl Numbers {
     fn distance(&self, x: DVec2) -> f64 {
         self.places.iter().map(|place| place.distance(x)).fold(f64::INFINITY, f64::min)
     }
+}
+
+/// The equilibrium measure, from panels of its own: it does not depend on a point.
+struct Equilibrium {
+    layout: Layout,
+    system: System,
+    /// Their total is 1.
+    charges: Vec<f64>,
+}
+
+impl Equilibrium {
+    fn compute(curve: &Curve, settings: &Settings) -> Result<Self, BoundaryIntegralError> {
+        let layout = layout(curve, &[], (settings.fineness, Problem::Interior), settings.max_unknowns)?;
+        let system = System::new(curve, &layout, Problem::Exterior);
+        let charges = system.charges(&system.equilibrium());
+        let total: f64 = charges.iter().sum();
+        if !(total.is_finite() && total > 0.0) {
+            return Err(BoundaryIntegralError::Singular);
+        }
+        let charges = charges.into_iter().map(|charge| charge / total).collect();
+        Ok(Self { layout, system, charges })
+    }
+
+    /// The potential inside, where it is constant, at the point that is farthest from all panels in lengths of the panels.
+    fn log_capacity(&self, curve: &Curve) -> f64 {
+        let lengths = self.system.panel_lengths();
+        let places: Vec<DVec2> = self.system.places().collect();
+        let middles = self.system.nodes().skip(NODES / 2).step_by(NODES).enumerate();
+        let inward = |(k, (base, node)): (usize, (DVec2, &Node))| {
+            base + node.offset - lengths[k] * node.normal.normalize_or_zero()
+        };
+        let clearance = |x: DVec2| {
+            let of_node = |(k, place): (usize, &DVec2)| place.distance(x) / lengths[k / NODES];
+            places.iter().enumerate().map(of_node).fold(f64::INFINITY, f64::min)
+        };
+        let candidates = middles.step_by(lengths.len().div_ceil(VIEWPOINTS)).map(inward).filter(|&x| curve.contains(x));
+        let best = candidates.map(|x| (clearance(x), x)).max_by(|(a, _), (b, _)| a.total_cmp(b));
+        best.map_or(f64::NAN, |(_, x)| self.system.logarithm(&self.charges, x))
+    }
+}
+
+/// The points inside, of which the best one is taken.
+const VIEWPOINTS: usize = 64;
+
+fn has_splines(curve: &Curve) -> bool {
+    curve.pieces().iter().any(|piece| matches!(piece, Piece::Spline { .. }))
+}
+
+/// How much the logarithm of a radius changes where the boundary moves by what the points of its splines leave open.
+fn moved(curve: &Curve, (layout, system): (&Layout, &System), charges: &[f64]) -> f64 {
+    let lengths = system.panel_lengths();
+    let open: Vec<f64> = layout.panels.iter().map(|panel| left_open(curve, panel)).collect();
+    let at = |(k, charge): (usize, &f64)| {
+        let (panel, weight) = (k / NODES, 0.5 * Rule::get().weights[k % NODES]);
+        charge * charge * open[panel] / (weight * lengths[panel])
+    };
+    TAU * charges.iter().enumerate().map(at).sum::<f64>()
 }

@@ -74,13 +74,13 @@ const FORWARDS: f64 = 1.15;
 ///
 /// Qₖ is the minimal solution of the recurrence of Pₖ: away from the interval it is run backwards (Miller's algorithm),
 /// from where the other solution has died off.
-pub fn second_kind(z: Complex64) -> [Complex64; NODES + 1] {
+pub fn second_kind(z: Complex64) -> [Complex64; NODES] {
     let first = ((z + 1.0) / (z - 1.0)).ln();
     let rho = bernstein(z);
-    let mut q = [first; NODES + 1];
+    let mut q = [first; NODES];
     if rho <= FORWARDS {
         q[1] = z * first - 2.0;
-        for k in 1..NODES {
+        for k in 1..NODES - 1 {
             let n = k as f64;
             q[k + 1] = ((2.0 * n + 1.0) * z * q[k] - n * q[k - 1]) / (n + 1.0);
         }
@@ -91,7 +91,7 @@ pub fn second_kind(z: Complex64) -> [Complex64; NODES + 1] {
     for k in (1..=start).rev() {
         // here and next are proportional to Qₖ and Qₖ₊₁
         let n = k as f64;
-        if k <= NODES {
+        if k < NODES {
             q[k] = here;
         }
         (next, here) = (here, ((2.0 * n + 1.0) * z * here - (n + 1.0) * next) / n);

@@ -5,7 +5,7 @@
 //! (½ I − K*) μ = r_x,  (K*μ)(y) = −(1/2π) ∫ n_y·(y − s)/|y − s|² μ(s) ds,  r_x(y) = (1/2π) n_y·(y − x)/|y − x|²:
 //!
 //! the charge swept from x onto Γ has the potential of x everywhere outside. The matrix does not depend on x: it is
-//! factored once, and one dense back-substitution gives the measure from another point. Nyström's method on
+//! factored once, densely or hierarchically (`factor`), and one substitution gives the measure from another point. Nyström's method on
 //! Gauss–Legendre panels; what is next to a corner, or next to a jump of the curvature, is compressed (`corner`).
 //! Densities below about 1e-15 of the largest one may have either sign.
 
@@ -43,8 +43,9 @@ use peak::peaks;
 pub use span::Beside;
 use system::System;
 
-/// The default limit of the number of unknowns. Matrix and factor then take 0.5 GB, and the factor 3 s on one thread.
-pub const MAX_UNKNOWNS: usize = 4096;
+/// The default limit of the number of unknowns, which is one of memory: a hierarchical factor takes about 8 kB for each
+/// of them, so that the limit stands for 3 GB, and in a browser for 200 MB.
+pub const MAX_UNKNOWNS: usize = if cfg!(target_family = "wasm") { 24_576 } else { 400_000 };
 
 /// How a boundary is divided.
 #[derive(Debug, Clone, PartialEq)]
@@ -115,7 +116,8 @@ const RESOLVED: f64 = 0.9;
 const OUTSIDE_POINTS: usize = 8;
 
 impl BoundaryIntegral {
-    /// Divides the curve into panels, assembles and factors the equation. O(N³) for N unknowns, on one thread.
+    /// Divides the curve into panels, assembles and factors the equation, on one thread. O(N³) for up to 4,096 unknowns N,
+    /// then about O(N).
     pub fn prepare(curve: &Curve, settings: &Settings) -> Result<Self, BoundaryIntegralError> {
         let started = web_time::Instant::now();
         let layout = layout(curve, &settings.near, (settings.fineness, Problem::Interior), settings.max_unknowns)?;
@@ -175,11 +177,14 @@ impl BoundaryIntegral {
         Ok(measure.with_residual(self.residual(&charges, x)))
     }
 
+    /// The charge of each node of the measure swept from x.
+    fn swept(&self, x: DVec2) -> Vec<f64> {
+        self.system.charges(&self.system.harmonic(x, &peaks(&self.curve, &self.layout, &self.system, x)))
+    }
+
     /// ∫ log|s − a| dω_x(s), for any `a` that is not too near to the boundary.
     pub fn logarithmic_mean(&self, x: DVec2, a: DVec2) -> f64 {
-        let peaks = peaks(&self.curve, &self.layout, &self.system, x);
-        let charges = self.system.charges(&self.system.harmonic(x, &peaks));
-        self.system.logarithm(&charges, a)
+        self.system.logarithm(&self.swept(x), a)
     }
 
     /// The largest residual of ∫ z dω = x, in extents of the curve, and of ∫ log|z − a| dω = log|x − a|.

@@ -41,7 +41,8 @@ pub fn compress(angle: f64, mesh: BlockMesh, problem: Problem) -> Compressed {
         interpolation.step(&level, &fixed_point(&interpolation, &level, mesh.panels * NODES))
     });
     let ((even_step, even), (odd_step, odd)) = (even, odd);
-    let repeated = Step { outer: joined(&even_step.outer, &odd_step.outer), inner: joined(&even_step.inner, &odd_step.inner) };
+    let repeated =
+        Step { outer: joined(&even_step.outer, &odd_step.outer), inner: joined(&even_step.inner, &odd_step.inner) };
     Compressed { matrix: joined(&even, &odd), steps: Vec::new(), repeated, innermost: None }
 }
 

@@ -197,7 +197,8 @@ mod tests {
         let at = |r: f64, k: f64| DVec2::from_angle(TAU * (0.01 + 0.98 * k / 8.0)) * r;
         let outer = (0..=8).map(|k| at(1.0, f64::from(k)));
         let inner = (0..=8).rev().map(|k| at(0.8, f64::from(k)));
-        let curve = Curve::from_polygon(&SimplePolygon::try_from(outer.chain(inner).collect::<Vec<_>>()).unwrap()).unwrap();
+        let curve =
+            Curve::from_polygon(&SimplePolygon::try_from(outer.chain(inner).collect::<Vec<_>>()).unwrap()).unwrap();
         check("ring", &curve, Problem::Interior);
         let (system, hierarchical) = factors(&curve, Problem::Interior);
         assert!(hierarchical.len() == system.unknowns());

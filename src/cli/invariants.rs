@@ -5,6 +5,7 @@ use super::invariants_arguments::InvariantsArguments;
 use super::named_curve::NamedCurve;
 use super::output::print;
 use crate::boundary_integral::{BoundaryIntegralError, Estimate, Invariants, InvariantsRequest, invariants};
+use crate::conformal::Quadrilateral;
 use std::fmt::Write as _;
 
 /// Computes and prints the invariants.
@@ -15,7 +16,13 @@ pub fn run(arguments: &InvariantsArguments) -> Result<(), CliError> {
     let request = InvariantsRequest::new(arguments.point.0)
         .with_second_point(arguments.second_point.map(|point| point.0))
         .with_marks(marks);
-    let found = invariants(&given.curve, &request).map_err(|error| refused(arguments, &error))?;
+    let mut found = invariants(&given.curve, &request).map_err(|error| refused(arguments, &error))?;
+    if let Some(marks) = &arguments.marks {
+        // from viewpoints of its own: it does not depend on the point
+        let quadrilateral = Quadrilateral::of_outline((&given.polygon, &given.curve), marks.0);
+        let refused = |error| CliError::Input(format!("{}: --marks: {error}", arguments.outline));
+        found.modulus = Some(quadrilateral.map_err(refused)?.modulus());
+    }
     let measures = measures(&given, &found);
     if arguments.json {
         let report = Report {

@@ -38,6 +38,10 @@ impl Precision {
     }
 }
 
+/// A function with this error, in extents, or less, of which no digit is left without its poles inside, is fitted again to
+/// a digit less: it has followed the rounding of the values next to a corner.
+const BROKEN: f64 = 0.01;
+
 /// A boundary whose pairs are rounded to single precision.
 struct Rounded<'a>(&'a dyn Boundary);
 
@@ -82,11 +86,30 @@ impl Fit {
         report: &mut dyn FnMut(f64) -> bool,
     ) -> Result<Self, Cancelled> {
         let rounded = Rounded(boundary);
-        let mut fitting = Fitting::new(if goal.precision == Precision::Single { &rounded } else { boundary }, goal);
+        let boundary = if goal.precision == Precision::Single { &rounded } else { boundary };
+        let mut tolerance = goal.tolerance;
+        loop {
+            let (fit, converged) = Self::once(boundary, contains, Goal { tolerance, ..goal }, report)?;
+            if fit.digits() > 0 || converged > BROKEN * fit.extent || 10.0 * tolerance > BROKEN {
+                return Ok(fit);
+            }
+            tolerance *= 10.0;
+        }
+    }
+
+    /// A fit, and its error before poles inside were removed.
+    fn once(
+        boundary: &dyn Boundary,
+        contains: &dyn Fn(Complex64) -> bool,
+        goal: Goal,
+        report: &mut dyn FnMut(f64) -> bool,
+    ) -> Result<(Self, f64), Cancelled> {
+        let mut fitting = Fitting::new(boundary, goal);
         let function = fitting.converge(report)?;
+        let converged = fitting.error(&function);
         let (function, poles) = fitting.without_bad_poles(function, contains, &mut || report(1.0))?;
         let error = fitting.measured(&function);
-        Ok(Self { function, poles, error, extent: fitting.extent(), jump: fitting.jump() })
+        Ok((Self { function, poles, error, extent: fitting.extent(), jump: fitting.jump() }, converged))
     }
 
     /// r.

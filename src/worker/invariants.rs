@@ -2,15 +2,12 @@
 
 use super::packed::as_json;
 use crate::boundary_integral::{self, Estimate, InvariantsRequest};
-use crate::conformal::Side;
-use crate::geometry::{DVec2, SimplePolygon};
+use crate::conformal::{Marks, Quadrilateral, Side};
+use crate::geometry::{Curve, DVec2, SimplePolygon};
 use crate::language::{Message, key};
 use crate::outline::CurveForm;
 use crate::session::OutlineSpec;
 use serde::{Deserialize, Serialize};
-
-/// The most unknowns of the finer of both resolutions: two factors of this size take about two seconds in a browser.
-const MAX_UNKNOWNS: usize = 3072;
 
 /// An outline, and the points that its invariants depend on.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -110,6 +107,13 @@ pub fn are_in_order(marks: [f64; 4]) -> bool {
     steps.iter().all(|&step| step > APART) && steps.iter().sum::<f64>() < 1.5
 }
 
+/// The modulus of a quadrilateral, from viewpoints of its own: it does not depend on the point.
+fn modulus_of(outline: (&SimplePolygon, &Curve), marks: [f64; 4]) -> Result<Number, Message> {
+    let marks = Marks::new(marks).map_err(|error| Message::from(&error))?;
+    let found = Quadrilateral::of_outline(outline, marks).map_err(|error| Message::from(&error))?;
+    Ok(found.modulus().into())
+}
+
 /// Marks nearer to each other than this fraction of the boundary are one point.
 const APART: f64 = 1e-14;
 
@@ -119,19 +123,21 @@ impl InvariantsTask {
         if self.marks.is_some_and(|marks| !are_in_order(marks)) {
             return Err(key::marks_not_in_order().into());
         }
-        let curve = self.outline.spec()?.curve().map_err(|_| key::outline_without_curve())?.into_curve();
+        let spec = self.outline.spec()?;
+        let curve = spec.curve().map_err(|_| key::outline_without_curve())?.into_curve();
         let marks = self.marks.map(|marks| marks.map(|fraction| curve.point_at_fraction(fraction)));
-        let request = InvariantsRequest::new(self.point)
-            .with_second_point(self.second_point)
-            .with_marks(marks)
-            .with_max_unknowns(MAX_UNKNOWNS);
+        let request = InvariantsRequest::new(self.point).with_second_point(self.second_point).with_marks(marks);
         let found = boundary_integral::invariants(&curve, &request).map_err(|error| Message::from(&error))?;
+        let modulus = match self.marks {
+            Some(marks) => Some(modulus_of((&spec.polygon(), &curve), marks)?),
+            None => None,
+        };
         let measures = found.arcs.map_or(found.pieces, |arcs| arcs.to_vec());
         Ok(FoundInvariants {
             measures: measures.into_iter().map(Number::from).collect(),
             conformal_radius: found.conformal_radius.into(),
             capacity: found.capacity.into(),
-            modulus: found.modulus.map(Number::from),
+            modulus,
             hyperbolic_distance: found.hyperbolic_distance.map(Number::from),
             unknowns: found.unknowns,
         })

@@ -87,7 +87,10 @@ impl<'a> Distances<'a> {
         let is_near = |(panel, shape): (&Panel, &Shape)| {
             let is_own = panel.block.is_some_and(|own| std::ptr::eq(&raw const self.layout.blocks[own], block));
             let is_on_leg = self.is_on_leg(block, panel);
-            !is_own && !is_on_leg && shape.may_be_within(place, CLEAR * innermost) && shape.distance_to(place) < CLEAR * innermost
+            !is_own
+                && !is_on_leg
+                && shape.may_be_within(place, CLEAR * innermost)
+                && shape.distance_to(place) < CLEAR * innermost
         };
         self.layout.panels.iter().zip(self.shapes).any(is_near)
     }

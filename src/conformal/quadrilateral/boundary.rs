@@ -49,6 +49,7 @@ impl<'a> SideMaps<'a> {
 }
 
 /// The map of the rectangle's boundary onto the outline, at one resolution.
+#[allow(clippy::large_enum_variant, reason = "there are two of them at a time")]
 enum Maps<'a> {
     Middle(SideMaps<'a>),
     /// Of a long quadrilateral whose first side is the side `turn`.

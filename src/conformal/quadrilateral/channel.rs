@@ -47,7 +47,7 @@ pub fn points_of_view(
     let Some(after) = march((curve, corners), integral, &origin, 1)? else { return Ok(None) };
     let views: Vec<View> = before.into_iter().rev().chain([origin]).chain(after).collect();
     let channel = Channel::new(corners, views.iter().map(|(_, measure)| measure));
-    if !(channel.modulus >= LONG) {
+    if channel.modulus.is_nan() || channel.modulus < LONG {
         return Ok(None);
     }
     let room = channel.modulus - 2.0 * BEFORE_END;
@@ -166,7 +166,7 @@ impl<'a> Channel<'a> {
     pub fn preimage(&self, side: usize, point: CurvePoint) -> CurvePoint {
         let (arc, outer) = (side / 2, self.outer(side / 2));
         let share = |square: f64| square.sqrt().min(1.0).asin() / (0.5 * PI);
-        if side % 2 == 0 {
+        if side.is_multiple_of(2) {
             let from_start = PI * sign(arc) * (outer.coordinate(arc, point) - self.tips[arc]);
             let from_start = share(from_start.exp());
             return if from_start <= 0.5 {

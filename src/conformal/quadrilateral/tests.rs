@@ -107,7 +107,7 @@ fn a_bend_adds_the_same_to_every_length() {
         Quadrilateral::new(&bent, Marks::new(marks).unwrap(), DVec2::new(0.5, 0.5)).unwrap().modulus()
     };
     // the L-shape of arms 1 from its corner's square: 2.5585231423420129 = 1 + 1 + bend
-    let bend = 0.558_523_142_342_012_9;
+    let bend = 0.558_523_142_342_013;
     // the ends of arms of length 1 feel the bend by e^{−2π}: the limit is that of two arms of 6 and more
     let short = modulus_of(6.0, 6.0);
     println!("{} against {bend}", short.value - 12.0);
