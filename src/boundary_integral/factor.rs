@@ -48,14 +48,6 @@ impl Factor {
             Self::Hierarchical(factor) => factor.solve(right),
         }
     }
-
-    /// The number of unknowns.
-    pub fn len(&self) -> usize {
-        match self {
-            Self::Dense(factor) => factor.len(),
-            Self::Hierarchical(factor) => factor.len(),
-        }
-    }
 }
 
 /// A factor as flat arrays.
@@ -70,6 +62,14 @@ pub struct FlatFactor {
 
 #[cfg(feature = "io")]
 impl Factor {
+    /// The number of unknowns.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Dense(factor) => factor.len(),
+            Self::Hierarchical(factor) => factor.len(),
+        }
+    }
+
     /// The factor as flat arrays.
     pub fn to_flat(&self) -> FlatFactor {
         match self {

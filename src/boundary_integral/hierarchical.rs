@@ -130,15 +130,15 @@ impl HierarchicalFactor {
         self.order.iter().zip(y).for_each(|(&node, value)| solution[node as usize] = value);
         solution
     }
-
-    /// The number of unknowns.
-    pub fn len(&self) -> usize {
-        self.order.len()
-    }
 }
 
 #[cfg(feature = "io")]
 impl HierarchicalFactor {
+    /// The number of unknowns.
+    pub fn len(&self) -> usize {
+        self.order.len()
+    }
+
     /// The factor as flat arrays: the number of levels, that of nodes, their order, for each level the number of its
     /// clusters and the sizes and ranks of these, then the order of the top; the matrices of each level in one array.
     pub fn to_flat(&self) -> FlatFactor {

@@ -169,15 +169,13 @@ fn compute(
 ) -> Result<(Parameterized, Timings), CliError> {
     let criterion = arguments.optimize.criterion.as_ref();
     criterion.map_or(Ok(()), |named| named.check(PerSide::new(true, false)))?;
-    let outline = read_outline(&arguments.outline, arguments.repair)?.interpreted(arguments.discretization.interpret);
+    let outline =
+        read_outline(&arguments.outline, arguments.mending.repair)?.interpreted(arguments.discretization.interpret);
     progress.enter(format!("checking {}", arguments.surface));
-    let outer = usize::from(arguments.boundary_loop) - 1;
-    let (disk, check) =
-        timed(
-            || {
-                if arguments.repair { SurfaceMesh::repaired_around(surface, outer) } else { SurfaceMesh::new(surface) }
-            },
-        );
+    let outer = usize::from(arguments.mending.boundary_loop) - 1;
+    let (disk, check) = timed(|| {
+        if arguments.mending.repair { SurfaceMesh::repaired_around(surface, outer) } else { SurfaceMesh::new(surface) }
+    });
     let disk = disk.map_err(|error| about(&arguments.surface, &error))?;
     let corners = outline.outline.corner_places();
     let mut sides = Sides::prepare(arguments, outline, disk, progress)?;
@@ -224,8 +222,9 @@ impl Sides {
         disk: SurfaceMesh,
         progress: &Progress,
     ) -> Result<Self, CliError> {
-        let FlattenArguments { repair, discretization, .. } = arguments;
-        let reading = Reading { repair: *repair, intrinsic_delaunay: !arguments.no_intrinsic_delaunay, discretization };
+        let FlattenArguments { mending, discretization, .. } = arguments;
+        let reading =
+            Reading { repair: mending.repair, intrinsic_delaunay: !arguments.no_intrinsic_delaunay, discretization };
         let settings = reading.surface_settings();
         let surface = prepare_surface(disk, settings, &mut progress.preparing(&arguments.surface));
         let surface = surface.map_err(|error| about(&arguments.surface, &error))?;

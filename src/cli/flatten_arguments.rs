@@ -43,14 +43,9 @@ pub struct FlattenArguments {
     /// The best map in place of the given one.
     #[command(flatten)]
     pub optimize: super::optimization::OptimizeArguments,
-    /// Make all safe repairs of the surface (drop duplicate triangles and unused vertices, orient, keep the largest
-    /// component, fill holes), and cut small loops and spikes off the outline.
-    #[arg(long)]
-    pub repair: bool,
-    /// Of several boundary loops the one that becomes the outline: 1 is the longest, which is the default. The others are
-    /// filled; with --repair.
-    #[arg(long, value_name = "K", requires = "repair", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
-    pub boundary_loop: u16,
+    /// What is mended before the surface is mapped.
+    #[command(flatten)]
+    pub mending: MendingArguments,
     /// Use the surface's own cotangent weights, even negative ones, instead of flipping its edges to be Delaunay.
     #[arg(long)]
     pub no_intrinsic_delaunay: bool,
@@ -70,6 +65,19 @@ pub struct FlattenArguments {
     /// Print quality, counts, flips, repairs and timings as JSON on stdout.
     #[arg(long)]
     pub json: bool,
+}
+
+/// What is mended before the surface is mapped.
+#[derive(Debug, clap::Args)]
+pub struct MendingArguments {
+    /// Make all safe repairs of the surface (drop duplicate triangles and unused vertices, orient, keep the largest
+    /// component, fill holes), and cut small loops and spikes off the outline.
+    #[arg(long)]
+    pub repair: bool,
+    /// Of several boundary loops the one that becomes the outline: 1 is the longest, which is the default. The others are
+    /// filled; with --repair.
+    #[arg(long, value_name = "K", requires = "repair", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
+    pub boundary_loop: u16,
 }
 
 /// The layout of the texture in the plane.

@@ -115,7 +115,7 @@ pub fn judge(cases: &[Case], known: &[(&str, &str)], large: &[&str]) {
         match cases.iter().find(|case| case.name == *name) {
             None => wrong.push(format!("{name} is no case")),
             Some(case) if case.is_covered() => {
-                wrong.push(format!("{name} ({cause}) is covered: take it from the list"))
+                wrong.push(format!("{name} ({cause}) is covered: take it from the list"));
             }
             Some(_) => (),
         }
