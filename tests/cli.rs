@@ -293,7 +293,6 @@ fn where_the_integral_kernel_does_not_fit_finite_elements_are_used_and_said() {
     assert!(line.contains("unknowns"), "{line}");
     let two = ["map", "preset:hemisphere", "preset:hemisphere", "--kernel", "integral"];
     fails(&two, 2, &["for outlines", "surfaces"]);
-    fails(&["flatten", "preset:hemisphere", "preset:disk", "--kernel", "integral"], 1, &["for outlines"]);
     fails(
         &["map", "preset:disk", "preset:disk", "--kernel", "integral", "--source-point", "1.1,0"],
         1,

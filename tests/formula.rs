@@ -314,9 +314,9 @@ fn what_has_no_formula_is_refused_and_nothing_is_written() {
     fails(&["formula", "preset:disk", "preset:disk", "--out", "f.txt"], 2, &["json, py, jl, js or glsl"]);
     fails(&["formula", "preset:disk", "preset:disk", "--digits", "14"], 2, &["--digits"]);
     fails(&["formula", "preset:disk", "preset:disk", "--source-point", "3,0", "--out", &path], 1, &["source"]);
-    // a comb of 400 corners does not fit into the dense factor
-    let mut comb = vec!["[-1,-1]".to_owned(), "[200,-1]".to_owned()];
-    comb.extend((0..200).rev().map(|k| format!("[{k}.5,1],[{k},0]")));
+    // a comb of 1,200 corners needs more unknowns than a map has
+    let mut comb = vec!["[-1,-1]".to_owned(), "[600,-1]".to_owned()];
+    comb.extend((0..600).rev().map(|k| format!("[{k}.5,1],[{k},0]")));
     let file = support::program::file(&folder, "comb.json", &format!("[{}]", comb.join(",")));
     let output = support::program::riemap(&["formula", &file, "preset:disk", "--out", &path]);
     let stderr = String::from_utf8(output.stderr).unwrap();

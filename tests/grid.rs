@@ -11,6 +11,7 @@ use riemap::geometry::DVec2;
 use riemap::outline::{CurveForm, Preset};
 use riemap::worker::{GridContent, GridTask, StudiedOutline};
 use serde_json::Value;
+use std::f64::consts::TAU;
 use std::path::Path;
 use support::program::{fails, file, folder, names, succeeds};
 
@@ -274,8 +275,8 @@ fn bad_input_is_refused_with_its_cause() {
     for surface in ["preset:hemisphere", "absent.obj"] {
         with(surface, marks, "4x4", 1, &[surface, "is a surface", "outline"]);
     }
-    let saw = |k: u32| (if k.is_multiple_of(2) { 1.0 } else { 0.8 }) * DVec2::from_angle(f64::from(k) * 0.01);
-    let points: Vec<[f64; 2]> = (0..628).map(|k| saw(k).to_array()).collect();
+    let saw = |k: u32| (if k.is_multiple_of(2) { 1.0 } else { 0.8 }) * DVec2::from_angle(f64::from(k) * (TAU / 6000.0));
+    let points: Vec<[f64; 2]> = (0..6000).map(|k| saw(k).to_array()).collect();
     let saw = file(&folder, "saw.json", &serde_json::to_string(&points).unwrap());
     let arguments = ["grid", &saw, "--interpret", "polygon", "--marks", marks, "--cells", "4x4", "--out", &out];
     fails(&arguments, 1, &["saw.json", "unknowns", "more than the limit"]);

@@ -304,12 +304,13 @@ fn a_point_next_to_an_outline_of_many_corners_keeps_the_equation() {
         BoundaryIntegral::check(&Curve::from_polygon(outline).unwrap(), &settings).is_ok()
     };
     let most = (20..1000).map(|half| star(2 * half)).take_while(|outline| fits(outline, &[])).last().unwrap();
-    let [a, b] = [most.vertices()[0], most.vertices()[1]];
-    let x = a.lerp(b, 0.5) * (1.0 - 1e-9);
-    assert!(!fits(&most, &[x]), "the point needs panels of its own");
+    let vertices = most.vertices();
+    let near: Vec<DVec2> =
+        vertices.windows(2).step_by(8).map(|ends| ends[0].lerp(ends[1], 0.5) * (1.0 - 1e-9)).collect();
+    assert!(!fits(&most, &near), "the points need panels of their own");
     let curve = Curve::from_polygon(&most).unwrap();
     let settings = integral(PrepareSettings::default());
-    let side = prepare_curve((&most, &curve), &[x], &settings, &mut |_| ()).unwrap();
+    let side = prepare_curve((&most, &curve), &near, &settings, &mut |_| ()).unwrap();
     assert!(side.unsharpened().is_none(), "{:?}", side.unsharpened());
     let kept = side.with_equation(Err(BoundaryIntegralError::NotResolved.into()));
     assert!(kept.equation().is_some(), "a second equation that fails leaves the first one");

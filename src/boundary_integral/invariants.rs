@@ -261,19 +261,23 @@ impl Equilibrium {
         let places: Vec<DVec2> = self.system.places().collect();
         let middles = self.system.nodes().skip(NODES / 2).step_by(NODES).enumerate();
         let inward = |(k, (base, node)): (usize, (DVec2, &Node))| {
-            base + node.offset - lengths[k] * node.normal.normalize_or_zero()
+            let (from, step) = (base + node.offset, lengths[k] * node.normal.normalize_or_zero());
+            STEPS.map(|steps| from - steps * step)
         };
         let clearance = |x: DVec2| {
             let of_node = |(k, place): (usize, &DVec2)| place.distance(x) / lengths[k / NODES];
             places.iter().enumerate().map(of_node).fold(f64::INFINITY, f64::min)
         };
-        let candidates = middles.step_by(lengths.len().div_ceil(VIEWPOINTS)).map(inward).filter(|&x| curve.contains(x));
-        let best = candidates.map(|x| (clearance(x), x)).max_by(|(a, _), (b, _)| a.total_cmp(b));
+        let candidates = middles.step_by(lengths.len().div_ceil(VIEWPOINTS)).flat_map(inward);
+        let inside = candidates.filter(|&x| curve.contains(x)).map(|x| (clearance(x), x));
+        let best = inside.max_by(|(a, _), (b, _)| a.total_cmp(b));
         best.map_or(f64::NAN, |(_, x)| self.system.logarithm(&self.charges, x))
     }
 }
 
-/// The points inside, of which the best one is taken.
+/// How many lengths of its panel a point is away from the boundary.
+const STEPS: [f64; 6] = [0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
+/// The panels from which points are taken, of which the best one is used.
 const VIEWPOINTS: usize = 64;
 
 fn has_splines(curve: &Curve) -> bool {

@@ -43,9 +43,9 @@ use peak::peaks;
 pub use span::Beside;
 use system::System;
 
-/// The default limit of the number of unknowns, which is one of memory: a hierarchical factor takes about 8 kB for each
-/// of them, so that the limit stands for 3 GB, and in a browser for 200 MB.
-pub const MAX_UNKNOWNS: usize = if cfg!(target_family = "wasm") { 24_576 } else { 400_000 };
+/// The default limit of the number of unknowns. A hierarchical factor takes about 8 kB for each of them on coasts and on
+/// polygons like the maple leaf, but more than ten times as much on combs of many deep teeth.
+pub const MAX_UNKNOWNS: usize = if cfg!(target_family = "wasm") { 24_576 } else { 65_536 };
 
 /// How a boundary is divided.
 #[derive(Debug, Clone, PartialEq)]

@@ -87,14 +87,16 @@ impl Fit {
     ) -> Result<Self, Cancelled> {
         let rounded = Rounded(boundary);
         let boundary = if goal.precision == Precision::Single { &rounded } else { boundary };
+        let (first, converged) = Self::once(boundary, contains, goal, report)?;
         let mut tolerance = goal.tolerance;
-        loop {
-            let (fit, converged) = Self::once(boundary, contains, Goal { tolerance, ..goal }, report)?;
-            if fit.digits() > 0 || converged > BROKEN * fit.extent || 10.0 * tolerance > BROKEN {
+        while first.digits() == 0 && converged <= BROKEN * first.extent && 10.0 * tolerance <= BROKEN {
+            tolerance *= 10.0;
+            let (fit, _) = Self::once(boundary, contains, Goal { tolerance, ..goal }, report)?;
+            if fit.error <= 10.0 * tolerance * fit.extent {
                 return Ok(fit);
             }
-            tolerance *= 10.0;
         }
+        Ok(first)
     }
 
     /// A fit, and its error before poles inside were removed.

@@ -150,6 +150,7 @@ mod tests {
     use super::*;
     use crate::outline::{Interpretation, Preset};
     use crate::worker::{packed, unpacked};
+    use std::f64::consts::TAU;
 
     fn task(outline: StudiedOutline) -> InvariantsTask {
         InvariantsTask { side: Side::Source, outline, point: DVec2::ZERO, second_point: None, marks: None }
@@ -197,8 +198,9 @@ mod tests {
         assert_eq!(backwards.run().unwrap_err(), key::marks_not_in_order().into());
         let outside = InvariantsTask { second_point: Some(DVec2::new(2.0, 0.0)), ..disk };
         assert_eq!(outside.run().unwrap_err(), key::integral_not_inside(2.0, 0.0));
-        let star = |k: u32| (if k.is_multiple_of(2) { 1.0 } else { 0.8 }) * DVec2::from_angle(f64::from(k) * 0.01);
-        let points: Vec<DVec2> = (0..628).map(star).collect();
+        let star =
+            |k: u32| (if k.is_multiple_of(2) { 1.0 } else { 0.8 }) * DVec2::from_angle(f64::from(k) * (TAU / 6000.0));
+        let points: Vec<DVec2> = (0..6000).map(star).collect();
         let many = task(StudiedOutline::Points { points, form: CurveForm::polygon() });
         let words = many.run().unwrap_err();
         assert_eq!(words.key(), key::integral_too_large(0_usize, 0_usize).key());

@@ -144,7 +144,7 @@ pub fn pairs() -> Vec<Case> {
     let polygons = tables.iter().filter(|polygon| polygon.kind == "polygons");
     let mut figures: Vec<(String, Vec<DVec2>, DVec2)> =
         polygons.map(|p| (p.name.clone(), p.corners.clone(), p.points[1].1)).collect();
-    for n in [40_u32, 300] {
+    for n in [40_u32, 100] {
         let star = |k: u32| {
             let radius = 1.0 + 0.2 * f64::from(k * 7 % 5) / 5.0;
             radius * DVec2::from_angle(TAU * f64::from(k) / f64::from(n))

@@ -8,7 +8,7 @@
 use super::channel::{LONG, points_of_view};
 use super::side::{self, QuadrilateralSide, SideEnd};
 use super::{LEAST, MOST_LENGTH, QuadrilateralError, Resolved, above_rounding};
-use crate::boundary_integral::{BoundaryIntegral, Settings, modulus};
+use crate::boundary_integral::{BoundaryIntegral, modulus};
 use crate::geometry::{Curve, CurvePoint, DVec2};
 use std::f64::consts::{LN_2, PI};
 
@@ -47,7 +47,7 @@ pub fn middle(
 ) -> Result<Option<Found>, QuadrilateralError> {
     let beside = corners.iter().filter_map(|&corner| beside(curve, corner));
     let starts: Vec<DVec2> = std::iter::once(start).chain(beside).collect();
-    let integral = BoundaryIntegral::prepare(curve, &Settings::default().with_points(&starts))?;
+    let integral = BoundaryIntegral::prepare(curve, &super::settings().with_points(&starts))?;
     let mut seen = Vec::new();
     for x in starts {
         seen.push((x, Seen::new(Resolved::new(&integral, x, corners)?)));
@@ -98,7 +98,7 @@ fn from_start(
     first: &BoundaryIntegral,
     goes_on: &mut dyn FnMut() -> bool,
 ) -> Result<Search, QuadrilateralError> {
-    let prepare = |x: DVec2| BoundaryIntegral::prepare(curve, &Settings::default().with_points(&[x]));
+    let prepare = |x: DVec2| BoundaryIntegral::prepare(curve, &super::settings().with_points(&[x]));
     for _ in 0..STEPS {
         if !seen.hides_a_side() && seen.imbalance() <= BALANCED {
             return Ok(Search::Ended(Some((x, seen.resolved))));

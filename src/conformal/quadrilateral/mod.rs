@@ -49,6 +49,11 @@ const LEAST: f64 = 1e-14;
 /// The tolerance of the point of a polygon from which the middle is looked for, in sizes of the polygon.
 const NEAR_POLE: f64 = 1e-3;
 
+/// How the outline is divided: several factors are made, so that the limit is that of maps.
+fn settings() -> Settings {
+    Settings::default().with_max_unknowns(super::MAX_UNKNOWNS)
+}
+
 /// A domain with four boundary points, its corners.
 #[derive(Debug, Clone)]
 pub struct Quadrilateral {
@@ -113,7 +118,7 @@ impl Quadrilateral {
             Found::Channel { turn, points } => return Self::long((curve, corners), turn, &points, goes_on),
         };
         check_length(modulus(above_rounding(coarse.arcs)))?;
-        let settings = Settings::default().with_points(&[x]).finer();
+        let settings = settings().with_points(&[x]).finer();
         let fine = Resolved::new(&BoundaryIntegral::prepare(curve, &settings)?, x, corners)?;
         let modulus = modulus_of_both(coarse.arcs, fine.arcs);
         Ok(Some(Self { curve: curve.clone(), corners, seen: Seen::Middle([coarse, fine]), modulus }))
@@ -131,9 +136,9 @@ impl Quadrilateral {
             points.iter().map(|&x| integral.harmonic_measure(x)).collect()
         };
         // points that are not named cost digits, which the error says, and far fewer unknowns
-        let named = Settings::default().with_points(points);
+        let named = settings().with_points(points);
         let fits = BoundaryIntegral::check(curve, &named.clone().finer()).is_ok();
-        let settings = if fits { named } else { Settings::default() };
+        let settings = if fits { named } else { settings() };
         let coarse = measures(&settings)?;
         if !goes_on() {
             return Ok(None);

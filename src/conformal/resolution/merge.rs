@@ -2,7 +2,8 @@
 //!
 //! A vertex of the other boundary lies on the mapped one where the measure is the same. Vertices of the other boundary
 //! that lie closer to each other than the limit of the resolution form a group, of which only the first and the last
-//! are kept (file `cut`).
+//! are kept (file `cut`). At an angle of π/β of the other domain, places within r of its corner crowd within r^β: a
+//! small group around one corner, or around the anchor, becomes that vertex.
 
 use super::cut::cut;
 use super::rim::Rim;
@@ -12,6 +13,9 @@ use crate::outline::BoundarySamples;
 /// The smallest distance between boundary vertices, relative to the extent of the domain: details of the other domain
 /// are resolved whose images are 1e-6 in size, which takes a few vertices.
 pub(super) const FINEST: f64 = 2e-7;
+
+/// A group around one corner is that corner alone where it is smaller than this, relative to the extent of the domain.
+const SMALL: f64 = 1e-3;
 
 /// A vertex of the other boundary that is nearer than this, relative to the edges around, to a vertex of the mapped
 /// boundary is left out: an edge of a tenth of its neighbors' length costs ten vertices of the mesh. On the polygon of
@@ -30,6 +34,13 @@ pub(super) struct Knot {
     pub image: f64,
     /// Whether the edge that starts here is mapped to a chord that cuts off a part of the other domain.
     pub is_cut: bool,
+}
+
+/// Vertices of the other boundary that are too close to each other, as numbers from the first and to the last.
+struct Group {
+    run: [usize; 2],
+    /// Those that stay, which may lie outside of the run, or coincide.
+    kept: [usize; 2],
 }
 
 /// Both boundaries merged.
@@ -78,35 +89,57 @@ impl Merged {
         sort_by_number(&mut own, |vertex| vertex.0);
         let mut merged = Self { knots: Vec::new(), start, length, first, cuts: Vec::new() };
         let gap = |i: usize| gaps[(i + turn) % count];
-        let groups = merged.groups(&gap, other.samples, finest);
+        let groups = merged.groups(&gap, other, finest);
         merged.join(&own, &others, &groups, (mapped, other), finest);
         merged
     }
 
-    /// The runs of other vertices that are too close to each other, by their first and last ones. Those of more than two
-    /// are cut off where the chord between their ends lies inside the other domain.
-    fn groups(&mut self, gap: &dyn Fn(usize) -> f64, samples: &BoundarySamples, finest: f64) -> Vec<[usize; 2]> {
-        let mut groups: Vec<[usize; 2]> = Vec::new();
+    /// The groups of other vertices, in order. Those of more than two are cut off where the chord between their ends lies
+    /// inside the other domain.
+    fn groups(&mut self, gap: &dyn Fn(usize) -> f64, other: &Rim<'_>, finest: f64) -> Vec<Group> {
+        let m = other.samples.len();
+        let mut groups: Vec<Group> = Vec::new();
         let mut i = 0;
-        while i < samples.len() {
-            let last = (i..samples.len()).find(|&k| k + 1 == samples.len() || gap(k) >= finest).unwrap_or(i);
+        while i < m {
+            let last = (i..m).find(|&k| k + 1 == m || gap(k) >= finest).unwrap_or(i);
             if last > i {
-                let least = groups.last().map_or(0, |group| group[1] + 1);
-                let m = samples.len();
-                let vertex = |k: usize| (self.first + k) % m;
-                let [from, to] = if last > i + 1 {
-                    let ends = cut(samples.points(), vertex(i), last - i, [i - least.min(i), m - 1 - last]);
-                    self.cuts.push([vertex(i - ends[0]), vertex(last + ends[1])]);
-                    [i - ends[0], last + ends[1]]
-                } else {
-                    [i, last]
+                let least = groups.last().map_or(0, |group| group.kept[1].max(group.run[1]) + 1);
+                let kept = match self.only_corner(other, [i, last]) {
+                    _ if last == i + 1 => [i, last],
+                    Some(corner) => [corner, corner],
+                    None => self.cut_off(other.samples, [i, last], least),
                 };
-                groups.push([from, to]);
-                i = to;
+                groups.push(Group { run: [i.min(kept[0]), last.max(kept[1])], kept });
+                i = last.max(kept[1]);
             }
             i += 1;
         }
         groups
+    }
+
+    /// Cuts a run off; the ends of the chord, of which the first is not before `least`.
+    fn cut_off(&mut self, samples: &BoundarySamples, [from, to]: [usize; 2], least: usize) -> [usize; 2] {
+        let m = samples.len();
+        let vertex = |k: usize| (self.first + k) % m;
+        let ends = cut(samples.points(), vertex(from), to - from, [from - least.min(from), m - 1 - to]);
+        let kept = [from - ends[0], to + ends[1]];
+        self.cuts.push(kept.map(vertex));
+        kept
+    }
+
+    /// The only corner of a small run, or its anchor where it has no corner.
+    fn only_corner(&self, other: &Rim<'_>, [from, to]: [usize; 2]) -> Option<usize> {
+        let vertex = |k: usize| (self.first + k) % other.samples.len();
+        let [first, last] = [from, to].map(|k| other.samples.points()[vertex(k)]);
+        if first.distance(last) > SMALL * other.extent() {
+            return None;
+        }
+        let mut corners = (from..=to).filter(|&k| other.is_corner_of_curve(vertex(k)));
+        match (corners.next(), corners.next()) {
+            (Some(corner), None) => Some(corner),
+            (None, _) => (from..=to).find(|&k| other.is_anchor(vertex(k))),
+            _ => None,
+        }
     }
 
     /// Merges own and other vertices, of each group the first and the last.
@@ -114,7 +147,7 @@ impl Merged {
         &mut self,
         own: &[(f64, u32, f64)],
         others: &[f64],
-        groups: &[[usize; 2]],
+        groups: &[Group],
         (mapped, other): (&Rim<'_>, &Rim<'_>),
         finest: f64,
     ) {
@@ -122,12 +155,16 @@ impl Merged {
         let mut pending = groups.iter().peekable();
         let mut i = 0;
         while i < others.len() {
-            if let Some(&[from, to]) = pending.next_if(|group| group[0] == i) {
+            if let Some(&Group { run, kept: [from, to] }) = pending.next_if(|group| group.run[0] == i) {
                 // the ends stay apart
                 let spread = (0.25 * finest - 0.5 * (others[to] - others[from])).max(0.0);
-                kept.push((others[from] - spread, from, to > from + 1));
-                kept.push((others[to] + spread, to, false));
-                i = to + 1;
+                if from < to {
+                    kept.push((others[from] - spread, from, to > from + 1));
+                    kept.push((others[to] + spread, to, false));
+                } else {
+                    kept.push((others[from], from, false));
+                }
+                i = run[1] + 1;
             } else {
                 kept.push((others[i], i, false));
                 i += 1;

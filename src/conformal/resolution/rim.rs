@@ -119,6 +119,12 @@ impl<'a> Rim<'a> {
         }
     }
 
+    /// Whether sample `k` is the anchor.
+    pub fn is_anchor(&self, k: usize) -> bool {
+        let anchor = self.measure.anchor();
+        anchor.edge() as usize == k && anchor.fraction() == 0.0
+    }
+
     /// The length of the edge from sample `k` on.
     pub fn edge(&self, k: usize) -> f64 {
         self.edges[k]
