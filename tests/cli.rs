@@ -5,6 +5,7 @@
 
 mod support;
 
+use riemap::geometry::DVec2;
 use serde_json::Value;
 use support::program::{fails, file, folder, names, riemap, succeeds};
 
@@ -298,4 +299,28 @@ fn where_the_integral_kernel_does_not_fit_finite_elements_are_used_and_said() {
         1,
         &["not inside"],
     );
+}
+
+/// Places within r of a right angle crowd within r² on the other side: the anchor was off by 2e-4, corners by 2e-7.
+#[test]
+fn corners_and_anchors_are_exact_whichever_side_is_mapped() {
+    let folder = folder("corners");
+    let square = file(&folder, "square.csv", "0,0\n1,0\n1,1\n0,1\n");
+    let path = folder.join("map.csv").display().to_string();
+    // x, y of the square and of the disk in a row: s1, s2, x1, y1, x2, y2
+    for (pair, [on_square, on_disk]) in [([&square[..], "preset:disk"], [2, 4]), (["preset:disk", &square[..]], [4, 2])]
+    {
+        succeeds(&["map", pair[0], pair[1], "--out", &path]);
+        let text = std::fs::read_to_string(&path).unwrap();
+        let number = |text: &str| text.parse::<f64>().unwrap();
+        let rows: Vec<Vec<f64>> = text.lines().skip(1).map(|line| line.split(',').map(number).collect()).collect();
+        let place = |row: &[f64], at: usize| DVec2::new(row[at], row[at + 1]);
+        assert_eq!((place(&rows[0], on_square), place(&rows[0], on_disk)), (DVec2::ZERO, DVec2::X), "{pair:?}");
+        for (k, corner) in [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].into_iter().enumerate() {
+            let row = rows.iter().find(|row| place(row, on_square).distance(corner) < 1e-10).unwrap();
+            let image = DVec2::from_angle(std::f64::consts::FRAC_PI_2 * k as f64);
+            let off = place(row, on_disk).distance(image);
+            assert!(off < 1e-10, "{pair:?}: the image of {corner} is off by {off:e}");
+        }
+    }
 }
