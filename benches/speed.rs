@@ -1,5 +1,5 @@
 //! Preparation and frame times on one thread, with the paper's settings and with the defaults; the integral kernel's
-//! factor and measure; a drag of a pin;
+//! factor and measure, also on coasts of up to 1,536 corners; a drag of a pin;
 //! Cauchy–Green time per term (vertex × sample) on `RAYON_NUM_THREADS` threads.
 //!
 //! `cargo bench` prints criterion's results for each preset and setting; the targets are
@@ -13,7 +13,8 @@ use riemap::conformal::{
     BoundaryValues, CauchyGreen, ConformalMap, Constraints, Contour, Direction, KernelMode, MapSettings, PerSide, Pins,
     PrepareSettings, PreparedSide, Side, prepare, prepare_curve,
 };
-use riemap::geometry::DVec2;
+use riemap::figures::coast;
+use riemap::geometry::{Curve, DVec2};
 use riemap::mesh::Sizing;
 use riemap::outline::{Preset, Sampling};
 use std::hint::black_box;
@@ -131,6 +132,29 @@ fn boundary_integral(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// Factors of a smooth coast, and of one that fills space, and how they grow with the unknowns.
+fn coasts(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("coast");
+    group.sample_size(10);
+    for (name, roughness) in [("smooth", 0.1), ("space-filling", 0.35)] {
+        let mut sizes = Vec::new();
+        for levels in [4, 6, 8] {
+            let curve = Curve::from_polygon(&coast(levels, roughness).unwrap()).unwrap();
+            let prepared = BoundaryIntegral::prepare(&curve, &Settings::default()).unwrap();
+            sizes.push((prepared.unknowns() as f64, prepared.duration_ms()));
+            group.bench_function(format!("{name}/{} unknowns/factor", prepared.unknowns()), |bencher| {
+                bencher.iter(|| BoundaryIntegral::prepare(black_box(&curve), &Settings::default()).unwrap());
+            });
+        }
+        for pair in sizes.windows(2) {
+            let [(few, short), (many, long)] = [pair[0], pair[1]];
+            let exponent = (long / short).ln() / (many / few).ln();
+            println!("{name}: from {few} to {many} unknowns time grows with the power {exponent:.2}");
+        }
+    }
+    group.finish();
+}
+
 /// Elements are terms: a thread with 1 Gelem/s takes 1 ns per term.
 fn cauchy_green(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("cauchy-green");
@@ -157,5 +181,5 @@ fn prepared(preset: Preset, settings: PrepareSettings) -> Arc<PreparedSide> {
     Arc::new(prepare(preset.outline().polygon(), &settings, &mut |_| ()).unwrap())
 }
 
-criterion_group!(benches, preparation, frame, pins, boundary_integral, cauchy_green);
+criterion_group!(benches, preparation, frame, pins, boundary_integral, coasts, cauchy_green);
 criterion_main!(benches);

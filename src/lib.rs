@@ -47,6 +47,8 @@ pub mod session;
 pub mod surface;
 pub mod tiling;
 #[cfg(feature = "io")]
+mod utf16;
+#[cfg(feature = "io")]
 pub mod worker;
 pub mod zipper;
 

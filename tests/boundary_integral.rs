@@ -89,7 +89,7 @@ fn regular_polygons_and_rectangles_have_their_radii_and_capacities() {
         if let Some(radius) = radius {
             assert_estimate(&format!("R of the regular {n}-gon"), found.conformal_radius, radius, 1e-14);
         }
-        // the coarser resolution has one panel on each leg of a right angle, which leaves 3e-12 in the error
+        // the coarser resolution has few panels without a point near: the square's error is 5e-12 where it is off by 1e-16
         assert_estimate(&format!("capacity of the regular {n}-gon"), found.capacity, capacity, 1e-13);
     }
     let found = all(&rectangle(2.0, 1.0), (1.0, 0.5));
@@ -391,11 +391,11 @@ fn what_cannot_be_computed_is_refused() {
     let few = Settings::default().with_max_unknowns(100);
     let refused = BoundaryIntegral::prepare(&l_shape(), &few).unwrap_err();
     assert!(matches!(refused, BoundaryIntegralError::TooManyUnknowns { needed, limit: 100 } if needed > 100));
-    let comb: Vec<(f64, f64)> = (0..2500)
+    let comb: Vec<(f64, f64)> = (0..13_000)
         .flat_map(|k| [(f64::from(k), 0.0), (f64::from(k) + 0.5, 3.0)])
-        .chain([(2500.0, 5.0), (0.0, 5.0)])
+        .chain([(13_000.0, 5.0), (0.0, 5.0)])
         .collect();
-    let refused = invariants(&polygon(&comb), &InvariantsRequest::new(DVec2::new(1250.0, 4.0)));
+    let refused = invariants(&polygon(&comb), &InvariantsRequest::new(DVec2::new(6500.0, 4.0)));
     assert!(matches!(refused, Err(BoundaryIntegralError::TooManyUnknowns { .. })), "{refused:?}");
 }
 

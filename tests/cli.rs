@@ -132,7 +132,7 @@ fn bad_input_exits_1_with_one_line() {
     fails(&["prepare", &crossing], 1, &["cross"]);
     fails(&["prepare", &nan], 1, &["nan.csv"]);
     fails(&["prepare", &short], 1, &["3"]);
-    fails(&["prepare", &prose], 1, &["line 1", "column"]);
+    fails(&["prepare", &prose], 1, &["line 1", "this is no outline"]);
     fails(&["prepare", &flat], 1, &[]);
     fails(&["prepare", "absent.json"], 1, &["absent.json"]);
     fails(&["prepare", "preset:kitten"], 1, &["kitten", "gingerbread"]);
@@ -279,10 +279,10 @@ fn where_the_integral_kernel_does_not_fit_finite_elements_are_used_and_said() {
     let folder = folder("unsharpened");
     let point = |k: u32| {
         let radius = if k.is_multiple_of(2) { 1.0 } else { 0.8 };
-        let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / 800.0).sin_cos();
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / 4200.0).sin_cos();
         format!("[{},{}]", radius * cos, radius * sin)
     };
-    let points: Vec<String> = (0..800).map(point).collect();
+    let points: Vec<String> = (0..4200).map(point).collect();
     let path = file(&folder, "coast.json", &format!("[{}]", points.join(",")));
     let output = succeeds(&["map", &path, "preset:disk", "--json"]);
     let summary: Value = serde_json::from_slice(&output.stdout).unwrap();

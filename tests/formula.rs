@@ -314,14 +314,18 @@ fn what_has_no_formula_is_refused_and_nothing_is_written() {
     fails(&["formula", "preset:disk", "preset:disk", "--out", "f.txt"], 2, &["json, py, jl, js or glsl"]);
     fails(&["formula", "preset:disk", "preset:disk", "--digits", "14"], 2, &["--digits"]);
     fails(&["formula", "preset:disk", "preset:disk", "--source-point", "3,0", "--out", &path], 1, &["source"]);
-    // a comb of 1,200 corners needs more unknowns than a map has
-    let mut comb = vec!["[-1,-1]".to_owned(), "[600,-1]".to_owned()];
-    comb.extend((0..600).rev().map(|k| format!("[{k}.5,1],[{k},0]")));
-    let file = support::program::file(&folder, "comb.json", &format!("[{}]", comb.join(",")));
+    // a gear of 4,200 corners needs more unknowns than a map has
+    let corner = |k: u32| {
+        let [y, x] = <[f64; 2]>::from((std::f64::consts::TAU * f64::from(k) / 4200.0).sin_cos());
+        let radius = if k.is_multiple_of(2) { 1.0 } else { 0.8 };
+        format!("[{},{}]", radius * x, radius * y)
+    };
+    let gear = (0..4200).map(corner).collect::<Vec<_>>().join(",");
+    let file = support::program::file(&folder, "gear.json", &format!("[{gear}]"));
     let output = support::program::riemap(&["formula", &file, "preset:disk", "--out", &path]);
     let stderr = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.code() == Some(1) && stderr.contains("the source has no exact boundary values"), "{stderr}");
-    assert_eq!(names(&folder), ["comb.json"]);
+    assert_eq!(names(&folder), ["gear.json"]);
 }
 
 #[test]

@@ -158,3 +158,31 @@ fn bad_input_is_refused_with_its_cause() {
     fails(&with("0,0.25,0.25,0.75"), 2, &["same point"]);
     fails(&with("0,0.25,nan,0.75"), 2, &["finite"]);
 }
+
+#[test]
+fn marks_are_named_by_vertex_in_the_order_of_either_direction() {
+    let folder = folder("invariants-vertices");
+    let points = ["0,0", "2.5,0", "2.5,1.25", "1.5,1.25", "1.5,2.75", "0,2.75"];
+    let clockwise: Vec<&str> = points.iter().rev().copied().collect();
+    let files = [file(&folder, "l.csv", &points.join("\n")), file(&folder, "clockwise.csv", &clockwise.join("\n"))];
+    let marks = [["v0", "v2", "v3", "v5"], ["v5", "v3", "v2", "v0"]];
+    let mut arcs = Vec::new();
+    for (name, marks) in files.iter().zip(marks) {
+        let mut arguments = vec!["invariants", name, "--point", "1,1", "--json"];
+        for mark in marks {
+            arguments.extend(["--mark", mark]);
+        }
+        let found: Value = serde_json::from_slice(&succeeds(&arguments).stdout).unwrap();
+        let modulus = found["modulus"]["value"].as_f64().unwrap();
+        assert!((modulus - 0.878_571_593_945_8).abs() < 1e-12, "{name}: {modulus}");
+        let of_arc = |arc: &Value| (arc["value"].as_f64().unwrap() * 1e12).round();
+        arcs.push(found["harmonic_measure"].as_array().unwrap().iter().map(of_arc).collect::<Vec<f64>>());
+    }
+    assert_eq!(arcs[0], arcs[1]);
+    let missing = fails(
+        &["invariants", &files[0], "--point", "1,1", "--mark", "v6", "--mark", "v1", "--mark", "v2", "--mark", "v3"],
+        1,
+        &[],
+    );
+    assert!(missing.contains("v6: the outline has 6 points"), "{missing}");
+}

@@ -239,7 +239,7 @@ fn the_command_line_takes_three_pins_and_says_what_came_out() {
 
     fails(&with(&["@0.1:@0.8", "@0.4:@0.5", "@0.8:@0.1"]), 1, &["a conformal map keeps the order"]);
     fails(&with(&["@0.1:@0.8", "@0.4:@0.5"]), 2, &["three pairs determine a map", "2 are"]);
-    fails(&with(&["@0.1:@0.8", "@0.4:1,2,3", "@0.8:@0.1"]), 2, &["preset:heart", "an outline: X,Y or @S"]);
+    fails(&with(&["@0.1:@0.8", "@0.4:1,2,3", "@0.8:@0.1"]), 2, &["preset:heart", "an outline: vK, X,Y or @S"]);
 }
 
 /// Pins that a map meets are met by the map through any three of them.

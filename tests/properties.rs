@@ -7,11 +7,14 @@
 mod support;
 
 use proptest::prelude::*;
+use riemap::boundary_integral::{BoundaryIntegral, Settings};
 use riemap::conformal::{ConformalMap, Constraints, Contour, Direction, PrepareSettings, PreparedSide, Side, prepare};
-use riemap::geometry::{DVec2, SimplePolygon};
+use riemap::geometry::{Curve, DVec2, Junction, SimplePolygon};
 use riemap::mesh::Sizing;
 use riemap::outline::{BoundarySamples, Sampling};
 use riemap::worker::Transfer;
+use std::cell::Cell;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 use support::random::runner;
 
@@ -176,4 +179,56 @@ fn handle_slides_along_the_boundary_and_stays_inside() {
             Ok(())
         })
         .unwrap();
+}
+
+/// The smallest interior angle and the largest one, in degrees.
+fn angles(curve: &Curve) -> [f64; 2] {
+    let angle = |junction: &Junction| match junction {
+        Junction::Corner { angle } => angle.to_degrees(),
+        _ => 180.0,
+    };
+    let all = || curve.junctions().iter().map(angle);
+    [all().fold(360.0, f64::min), all().fold(0.0, f64::max)]
+}
+
+/// Below, the estimate of one resolution does not cover in one of a hundred polygons: 6.6e-14 was stated, 2.7e-13 was off.
+const COVERED: f64 = 1e-12;
+/// Spikes that nearly touch need ten times as many, and minutes.
+const MOST_UNKNOWNS: usize = 3_000;
+
+/// Harmonic measure of polygons with corners from 1° to 359° by the integral kernel: within the stated error its total is 1,
+/// ∫ log|z − a| dω = log|x − a| for points a outside, and none of it is negative; within that, or 1e-12, it is the measure on finer panels.
+#[test]
+fn the_integral_kernel_keeps_its_identities_and_its_stated_error_on_random_polygons() {
+    let seen = Cell::new([360.0_f64, 0.0]);
+    let result = runner(60).run(&star(), |polygon| {
+        let curve = Curve::from_polygon(&polygon).unwrap();
+        let [least, most] = angles(&curve);
+        prop_assume!(least >= 1.0 && most <= 359.0);
+        let x = polygon.pole_of_inaccessibility(1e-3);
+        let settings = Settings::default().with_points(&[x]).with_max_unknowns(MOST_UNKNOWNS);
+        // the finer one has up to twice as many
+        prop_assume!(BoundaryIntegral::check(&curve, &settings.clone().finer()).is_ok());
+        seen.set([seen.get()[0].min(least), seen.get()[1].max(most)]);
+        let integral = BoundaryIntegral::prepare(&curve, &settings).unwrap();
+        let (measure, bounds) = (integral.harmonic_measure(x).unwrap(), polygon.bounds());
+        let (pieces, error) = (measure.pieces(), measure.error_estimate());
+        prop_assert!(error < 1e-8, "the error is {error:e}");
+        prop_assert!(pieces.iter().all(|&piece| piece >= -error), "negative: {pieces:?} ± {error:e}");
+        let total: f64 = pieces.iter().sum();
+        prop_assert!((total - 1.0).abs() <= error, "the total is {total} ± {error:e}");
+        for k in 0..8 {
+            let a = bounds.center() + bounds.size().length() * DVec2::from_angle(TAU * f64::from(k) / 8.0);
+            let off = (integral.logarithmic_mean(x, a) - x.distance(a).ln()).abs();
+            prop_assert!(off <= error, "the logarithm's mean about {a} is off by {off:e}, ± {error:e}");
+        }
+        let finer = BoundaryIntegral::prepare(&curve, &settings.finer()).unwrap().harmonic_measure(x).unwrap();
+        for (piece, finer) in pieces.iter().zip(finer.pieces()) {
+            prop_assert!((piece - finer).abs() <= error.max(COVERED), "{piece} ± {error:e}, {finer} on finer panels");
+        }
+        Ok(())
+    });
+    result.unwrap();
+    let [least, most] = seen.get();
+    assert!(least < 5.0 && most > 300.0, "angles from {least} to {most} degrees");
 }

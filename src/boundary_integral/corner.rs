@@ -304,18 +304,19 @@ pub fn add_identity(matrix: &mut Mat<f64>) {
 /// change with 1e-15.
 const LEVEL_TOLERANCE: f64 = 1e-14;
 
-/// Compresses the block of `mesh` at a junction; its panels have `scales` of the parameters of the legs.
+/// Compresses the block of `mesh` at a junction; its panels have `scales` of the parameters of the legs. `None` if the
+/// recursion does not converge.
 pub fn compress(
     legs: &[Leg; 2],
     junction: Junction,
     mesh: BlockMesh,
     scales: [f64; 2],
     problem: Problem,
-) -> Compressed {
+) -> Option<Compressed> {
     let angle = if let Junction::Corner { angle } = junction { angle } else { PI };
-    let tangents = straight::compress(angle, mesh, problem);
+    let tangents = straight::compress(angle, mesh, problem)?;
     if legs.iter().all(Leg::is_straight) {
-        return tangents;
+        return Some(tangents);
     }
     let tangents = tangents.with_speeds([legs[0].speed, legs[1].speed]);
     let one = Interpolation::new(mesh);
@@ -334,5 +335,5 @@ pub fn compress(
         matrix = next;
     }
     steps.reverse();
-    Compressed { matrix, steps, repeated, innermost: Some(innermost) }
+    matrix.is_all_finite().then_some(Compressed { matrix, steps, repeated, innermost: Some(innermost) })
 }

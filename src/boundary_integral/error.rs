@@ -16,6 +16,20 @@ pub enum BoundaryIntegralError {
         /// The largest number allowed.
         limit: usize,
     },
+    /// The factor needs more memory than there is room for.
+    #[error(
+        "the factor of the boundary's equation needs more than {limit_mb} MB: too many parts of the boundary lie across from each other"
+    )]
+    TooMuchMemory {
+        /// The largest size of a factor, in megabytes.
+        limit_mb: usize,
+    },
+    /// Next to a corner the density is not resolved to any digit that is stated.
+    #[error("the boundary is not resolved next to its corner ({}, {})", .at.x, .at.y)]
+    CornerNotResolved {
+        /// The corner.
+        at: DVec2,
+    },
     /// Splitting the panels found no end: parts of the boundary touch, or a formula is not smooth.
     #[error("the boundary cannot be resolved: parts of it touch, or a piece is not smooth")]
     NotResolved,

@@ -35,6 +35,9 @@ const TOLERANCE: f64 = 1e-13;
 
 /// The largest growth of a factor along the curve that is trusted: 1 for coasts, maple leaves and hands, 1300 for the spiral.
 const MOST_GROWTH: f64 = 30.0;
+/// The largest rank of a cluster along the curve: 250 to 320 for coasts and maple leaves, 560 and 1050 for combs of 50 and 100
+/// teeth, with the back across a channel from all of them; by place, both combs have 420 to 460.
+const MOST_RANK: usize = 600;
 
 /// x = G b + E y for a cluster, y the solution on its skeleton, whose right side is F b.
 #[derive(Debug, Clone)]
@@ -44,6 +47,34 @@ struct Eliminated {
     /// F.
     restrict: Mat<f64>,
 }
+
+impl Eliminated {
+    /// The stored numbers.
+    fn len(&self) -> usize {
+        self.inner.nrows() * self.inner.ncols() + self.restrict.nrows() * self.restrict.ncols()
+    }
+}
+
+/// Why there is no factor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Refusal {
+    /// Clusters that are gathered like this are nearly singular, or have too many interactions.
+    Unsuited,
+    /// The factor takes too much memory.
+    TooLarge,
+}
+
+/// What a factor may take.
+#[derive(Debug, Clone, Copy)]
+struct Bounds {
+    /// The largest number above the curve, in those on the curve.
+    growth: f64,
+    /// The largest rank of a cluster.
+    rank: usize,
+    megabytes: usize,
+}
+
+const NUMBERS_PER_MB: usize = 1_000_000 / size_of::<f64>();
 
 /// A factored matrix.
 #[derive(Debug, Clone)]
@@ -65,36 +96,49 @@ struct Cluster {
 }
 
 impl HierarchicalFactor {
-    /// Compresses and factors the matrix.
+    /// Compresses and factors the matrix in at most `limit_mb` megabytes, with clusters along the curve.
     ///
     /// The matrix of a wall that nearly surrounds a place, without the rest of the curve, is that of the place's exterior,
-    /// which is singular: where clusters along the curve have such matrices, they are gathered by place.
-    pub fn new(entries: &Entries<'_>, blocks: &[PlacedBlock]) -> Self {
-        let along = Self::gathered(entries, blocks, Gathering::Along);
-        if along.growth() <= MOST_GROWTH { along } else { Self::gathered(entries, blocks, Gathering::ByPlace) }
+    /// which is singular, and a cluster that lies across a channel from many others has too many interactions with them:
+    /// both are refused as unsuited.
+    pub fn along(entries: &Entries<'_>, blocks: &[PlacedBlock], limit_mb: usize) -> Result<Self, Refusal> {
+        let bounds = Bounds { growth: MOST_GROWTH, rank: MOST_RANK, megabytes: limit_mb };
+        Self::gathered(entries, leaves(entries, blocks, Gathering::Along), bounds)
     }
 
-    fn gathered(entries: &Entries<'_>, blocks: &[PlacedBlock], gathering: Gathering) -> Self {
-        let mut clusters = leaves(entries, blocks, gathering);
+    /// Compresses and factors the matrix, with both walls of a channel in one cluster.
+    pub fn by_place(entries: &Entries<'_>, blocks: &[PlacedBlock], limit_mb: usize) -> Result<Self, Refusal> {
+        let bounds = Bounds { growth: f64::INFINITY, rank: usize::MAX, megabytes: limit_mb };
+        Self::gathered(entries, leaves(entries, blocks, Gathering::ByPlace), bounds)
+    }
+
+    fn gathered(entries: &Entries<'_>, mut clusters: Vec<Cluster>, bounds: Bounds) -> Result<Self, Refusal> {
         let order = clusters.iter().flat_map(|cluster| &cluster.nodes).map(|&node| node as u32).collect();
-        let mut levels = Vec::new();
+        let (mut levels, mut on_curve, mut numbers) = (Vec::new(), None, 0);
         while clusters.len() > 1 {
             let neighborhood = Neighborhood::new(entries, &clusters);
-            let eliminate = |(k, cluster)| eliminated(entries, &neighborhood, k, cluster);
-            let (level, rest): (Vec<Eliminated>, Vec<Cluster>) = clusters.iter().enumerate().map(eliminate).unzip();
+            let (mut level, mut rest) = (Vec::with_capacity(clusters.len()), Vec::with_capacity(clusters.len()));
+            for (k, cluster) in clusters.iter().enumerate() {
+                let (inner, outer) = eliminated(entries, &neighborhood, k, cluster);
+                numbers += inner.len();
+                if numbers > bounds.megabytes * NUMBERS_PER_MB {
+                    return Err(Refusal::TooLarge);
+                }
+                if inner.restrict.nrows() > bounds.rank {
+                    return Err(Refusal::Unsuited);
+                }
+                level.push(inner);
+                rest.push(outer);
+            }
+            let largest = level.iter().map(|cluster| cluster.inner.norm_max()).fold(0.0, f64::max);
             levels.push(level);
+            if largest > bounds.growth * *on_curve.get_or_insert(largest) {
+                return Err(Refusal::Unsuited);
+            }
             clusters = merged(entries, rest);
         }
         let top = DenseFactor::new(&clusters.pop().map_or_else(Mat::new, |cluster| cluster.diagonal));
-        Self { order, levels, top }
-    }
-
-    /// The largest number of a level above the curve, in those of the level on the curve.
-    fn growth(&self) -> f64 {
-        let largest = |level: &Vec<Eliminated>| level.iter().map(|e| e.inner.norm_max()).fold(0.0, f64::max);
-        let mut levels = self.levels.iter().map(largest);
-        let on_curve = levels.next().unwrap_or(1.0);
-        levels.fold(0.0, f64::max) / on_curve
+        Ok(Self { order, levels, top })
     }
 
     /// A⁻¹ times `right`. Two multiply-adds for each stored number.
@@ -328,7 +372,7 @@ fn eliminated(
     k: usize,
     cluster: &Cluster,
 ) -> (Eliminated, Cluster) {
-    let chosen = skeleton(interactions(entries, neighborhood, k), TOLERANCE);
+    let chosen = skeleton(&interactions(entries, neighborhood, k), TOLERANCE);
     let t = &chosen.combination;
     let (n, rank) = (t.ncols(), t.nrows());
     let inverse = PartialPivLu::new(cluster.diagonal.as_ref()).inverse();
@@ -344,27 +388,26 @@ fn eliminated(
     (Eliminated { inner, restrict }, Cluster { nodes, diagonal, outgoing: None })
 }
 
-/// A column for each node of a cluster: its interactions, both ways, with everything outside.
+/// A row for each node of a cluster: its interactions, both ways, with everything outside.
 fn interactions(entries: &Entries<'_>, neighborhood: &Neighborhood, k: usize) -> Mat<f64> {
     let (nodes, near) = (&neighborhood.nodes[k], neighborhood.near(entries, k));
     let (center, radius) = neighborhood.circles[k];
     let first = 2 * near.len();
-    let mut matrix = Mat::zeros(first + 2 * PROXIES + 2, nodes.len());
-    entries.for_each(nodes, &near, |i, j, value| matrix[(j, i)] = radius * value / entries.weight(near[j]));
+    let mut matrix = Mat::zeros(nodes.len(), first + 2 * PROXIES + 2);
+    entries.for_each(nodes, &near, |i, j, value| matrix[(i, j)] = radius * value / entries.weight(near[j]));
     entries
-        .for_each(&near, nodes, |i, j, value| matrix[(near.len() + i, j)] = radius * value / entries.weight(nodes[j]));
+        .for_each(&near, nodes, |i, j, value| matrix[(j, near.len() + i)] = radius * value / entries.weight(nodes[j]));
     let directions: Vec<DVec2> = (0..PROXIES).map(|k| DVec2::from_angle(TAU * k as f64 / PROXIES as f64)).collect();
     for (j, &node) in nodes.iter().enumerate() {
         let (place, normal) = (entries.place(node) - center, entries.normal(node));
-        let column = matrix.col_as_slice_mut(j);
         for (i, direction) in directions.iter().enumerate() {
             let difference = place - GROW * radius * direction;
-            column[first + i] = radius * FRAC_1_PI * normal.dot(difference) / difference.length_squared();
-            column[first + PROXIES + i] = 1.0 + (difference.length() / (GROW * radius)).ln();
+            matrix[(j, first + i)] = radius * FRAC_1_PI * normal.dot(difference) / difference.length_squared();
+            matrix[(j, first + PROXIES + i)] = 1.0 + (difference.length() / (GROW * radius)).ln();
         }
         // the total charge of the exterior problem
-        column[first + 2 * PROXIES] = entries.completion(node);
-        column[first + 2 * PROXIES + 1] = 1.0;
+        matrix[(j, first + 2 * PROXIES)] = entries.completion(node);
+        matrix[(j, first + 2 * PROXIES + 1)] = 1.0;
     }
     matrix
 }

@@ -78,6 +78,20 @@ pub struct Invariants {
     pub unknowns: [usize; 2],
 }
 
+impl Invariants {
+    /// The measures of sides that consist of so many consecutive pieces each.
+    pub fn of_sides(&self, counts: &[usize]) -> Vec<Estimate> {
+        let mut rest = &self.pieces[..];
+        let mut side = |&count: &usize| {
+            let (pieces, after) = rest.split_at(count.min(rest.len()));
+            rest = after;
+            let sum = |of: fn(&Estimate) -> f64| pieces.iter().map(of).sum();
+            Estimate { value: sum(|piece| piece.value), error: sum(|piece| piece.error) }
+        };
+        counts.iter().map(&mut side).collect()
+    }
+}
+
 /// The numbers at one resolution.
 struct Numbers {
     pieces: Vec<f64>,
@@ -245,7 +259,7 @@ struct Equilibrium {
 impl Equilibrium {
     fn compute(curve: &Curve, settings: &Settings) -> Result<Self, BoundaryIntegralError> {
         let layout = layout(curve, &[], (settings.fineness, Problem::Interior), settings.max_unknowns)?;
-        let system = System::new(curve, &layout, Problem::Exterior);
+        let system = System::new(curve, &layout, Problem::Exterior)?;
         let charges = system.charges(&system.equilibrium());
         let total: f64 = charges.iter().sum();
         if !(total.is_finite() && total > 0.0) {

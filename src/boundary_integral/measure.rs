@@ -56,6 +56,7 @@ impl HarmonicMeasure {
 
     /// An estimate of the largest error of ω along the boundary: the residuals of ∫ dω = 1, ∫ z dω = x and
     /// ∫ log|z − a| dω = log|x − a|, and what the last coefficients of the panels leave open.
+    /// Below 1e-12 it may be several times too small: on one of a hundred random stars it was, by a factor of four.
     pub fn error_estimate(&self) -> f64 {
         SAFETY * self.error
     }

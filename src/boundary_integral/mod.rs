@@ -44,8 +44,9 @@ pub use span::Beside;
 use system::System;
 
 /// The default limit of the number of unknowns. A hierarchical factor takes about 8 kB for each of them on coasts and on
-/// polygons like the maple leaf, but more than ten times as much on combs of many deep teeth.
-pub const MAX_UNKNOWNS: usize = if cfg!(target_family = "wasm") { 24_576 } else { 65_536 };
+/// polygons like the maple leaf, but about 30 kB on combs of many deep teeth; it is refused where it exceeds 4 GB, in a browser
+/// 500 MB.
+pub const MAX_UNKNOWNS: usize = if cfg!(target_family = "wasm") { 49_152 } else { 400_000 };
 
 /// How a boundary is divided.
 #[derive(Debug, Clone, PartialEq)]
@@ -116,12 +117,12 @@ const RESOLVED: f64 = 0.9;
 const OUTSIDE_POINTS: usize = 8;
 
 impl BoundaryIntegral {
-    /// Divides the curve into panels, assembles and factors the equation, on one thread. O(N³) for up to 4,096 unknowns N,
+    /// Divides the curve into panels, assembles and factors the equation, on one thread. O(N³) for up to 2,048 unknowns N,
     /// then about O(N).
     pub fn prepare(curve: &Curve, settings: &Settings) -> Result<Self, BoundaryIntegralError> {
         let started = web_time::Instant::now();
         let layout = layout(curve, &settings.near, (settings.fineness, Problem::Interior), settings.max_unknowns)?;
-        let system = System::new(curve, &layout, Problem::Interior);
+        let system = System::new(curve, &layout, Problem::Interior)?;
         let outside = outside_points(curve, &layout, &system);
         let origin = curve.pieces()[0].jet(0.0).position;
         let extent = system.places().map(|place| place.distance(origin)).fold(0.0, f64::max);

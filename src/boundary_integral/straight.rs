@@ -22,11 +22,13 @@ use faer::linalg::solvers::{PartialPivLu, Solve as _};
 
 /// The most doublings: corners of 359 degrees take 7 (120 steps).
 const MOST_DOUBLINGS: u32 = 16;
+/// A change of R in the last doubling up to which it counts as reached.
+const RESOLVED: f64 = 1e-12;
 /// The change of R at which the fixed point is reached: a few units of rounding of its entries, which are of order 1.
 const STANDING: f64 = 4e-15;
 
-/// R of straight legs that meet in this interior angle, and its step.
-pub fn compress(angle: f64, mesh: BlockMesh, problem: Problem) -> Compressed {
+/// R of straight legs that meet in this interior angle, and its step; `None` if the recursion does not converge.
+pub fn compress(angle: f64, mesh: BlockMesh, problem: Problem) -> Option<Compressed> {
     let legs = [Leg::straight(DVec2::from_angle(angle), true), Leg::straight(DVec2::X, false)];
     let (inner, outer): (Vec<_>, _) = (mesh.inner().collect(), mesh.outer());
     let [inner, outer] = [inner, outer].map(|panels| legs.each_ref().map(|leg| LegMesh::new(leg, 1.0, &panels)));
@@ -38,12 +40,13 @@ pub fn compress(angle: f64, mesh: BlockMesh, problem: Problem) -> Compressed {
         add_identity(&mut d);
         let level = Level { a, b, d };
         // one more step takes the rounding of the doublings out
-        interpolation.step(&level, &fixed_point(&interpolation, &level, mesh.panels * NODES))
+        let fixed = fixed_point(&interpolation, &level, mesh.panels * NODES)?;
+        Some(interpolation.step(&level, &fixed))
     });
-    let ((even_step, even), (odd_step, odd)) = (even, odd);
+    let ((even_step, even), (odd_step, odd)) = (even?, odd?);
     let repeated =
         Step { outer: joined(&even_step.outer, &odd_step.outer), inner: joined(&even_step.inner, &odd_step.inner) };
-    Compressed { matrix: joined(&even, &odd), steps: Vec::new(), repeated, innermost: None }
+    Some(Compressed { matrix: joined(&even, &odd), steps: Vec::new(), repeated, innermost: None })
 }
 
 /// The matrix on both legs, from what it does to even and to odd densities.
@@ -55,8 +58,8 @@ fn joined(even: &Mat<f64>, odd: &Mat<f64>) -> Mat<f64> {
     })
 }
 
-/// The fixed point of the recursion.
-fn fixed_point(interpolation: &Interpolation, level: &Level, size: usize) -> Mat<f64> {
+/// The fixed point of the recursion, if it is reached.
+fn fixed_point(interpolation: &Interpolation, level: &Level, size: usize) -> Option<Mat<f64>> {
     let Interpolation { inner: [p_inner, w_inner], outer: [p_outer, w_outer] } = interpolation;
     let lu = PartialPivLu::new(level.d.as_ref());
     let (dp, db) = (lu.solve(p_outer), lu.solve(&level.b));
@@ -64,6 +67,7 @@ fn fixed_point(interpolation: &Interpolation, level: &Level, size: usize) -> Mat
     let mut u = w_inner.transpose() - w_outer.transpose() * &db;
     let mut v = p_inner - &level.a * &dp;
     let mut e = &level.a * &db;
+    let mut last = f64::INFINITY;
     for _ in 0..MOST_DOUBLINGS {
         let mut matrix = -(&h * &e);
         add_identity(&mut matrix);
@@ -75,12 +79,13 @@ fn fixed_point(interpolation: &Interpolation, level: &Level, size: usize) -> Mat
         e += &ve * &tu;
         u = &u * &tu;
         h += &change;
-        if change.norm_max() <= STANDING {
+        last = change.norm_max();
+        if last <= STANDING {
             break;
         }
     }
     debug_assert_eq!(h.nrows(), size);
-    h
+    (last <= RESOLVED).then_some(h)
 }
 
 impl Compressed {

@@ -2,6 +2,7 @@
 
 use super::corner::{Compressed, PlacedBlock, Problem, compress};
 use super::entries::Entries;
+use super::error::BoundaryIntegralError;
 use super::factor::Factor;
 use super::layout::{Block, Layout};
 use super::leg::{Leg, Node, kernel};
@@ -22,14 +23,14 @@ pub struct System {
 }
 
 impl System {
-    /// Assembles and factors the system.
-    pub fn new(curve: &Curve, layout: &Layout, problem: Problem) -> Self {
+    /// Assembles and factors the system. Fails where a corner is not resolved, or the factor is too large.
+    pub fn new(curve: &Curve, layout: &Layout, problem: Problem) -> Result<Self, BoundaryIntegralError> {
         let panels: Vec<PanelNodes> = layout.panels.iter().map(|panel| PanelNodes::new(curve, panel)).collect();
         let bases: Vec<DVec2> = curve.pieces().iter().map(|piece| piece.jet(0.0).position).collect();
-        let blocks = compressed_blocks(curve, layout, problem);
+        let blocks = compressed_blocks(curve, layout, problem)?;
         let entries = Entries::new(curve, layout, (&panels, &bases), problem);
-        let factor = Factor::new(&entries, &blocks);
-        Self { panels, bases, blocks, factor }
+        let factor = Factor::new(&entries, &blocks, MAX_FACTOR_MB)?;
+        Ok(Self { panels, bases, blocks, factor })
     }
 
     /// A system that was factored before, with the compressed matrices of its blocks.
@@ -125,10 +126,17 @@ fn rows(block: &Block) -> Vec<usize> {
     block.panels.iter().map(|panel| panel * NODES).collect()
 }
 
+/// The largest factor, in megabytes. One of 400,000 unknowns of a coast takes about 3,500.
+const MAX_FACTOR_MB: usize = if cfg!(target_family = "wasm") { 500 } else { 4000 };
+
 /// Angles that differ by less have one matrix.
 const SAME_ANGLE: f64 = 1e-15;
 
-fn compressed_blocks(curve: &Curve, layout: &Layout, problem: Problem) -> Vec<PlacedBlock> {
+fn compressed_blocks(
+    curve: &Curve,
+    layout: &Layout,
+    problem: Problem,
+) -> Result<Vec<PlacedBlock>, BoundaryIntegralError> {
     let mut known: Vec<(f64, usize, Arc<Compressed>)> = Vec::new();
     let mut compressed = |block: &Block| {
         let (legs, junction) = (Leg::both(curve, block.junction), curve.junctions()[block.junction]);
@@ -140,39 +148,49 @@ fn compressed_blocks(curve: &Curve, layout: &Layout, problem: Problem) -> Vec<Pl
             straight_angle.is_some_and(|own| (own - angle).abs() <= SAME_ANGLE * own) && *panels == block.mesh.panels
         };
         if let Some((.., found)) = known.iter().find(same) {
-            return Arc::clone(found);
+            return Ok(Arc::clone(found));
         }
-        let new = Arc::new(compress(&legs, junction, block.mesh, block.scales, problem));
+        let at = curve.pieces()[block.junction].jet(0.0).position;
+        let new = compress(&legs, junction, block.mesh, block.scales, problem);
+        let new = Arc::new(new.ok_or(BoundaryIntegralError::CornerNotResolved { at })?);
         if let Some(angle) = straight_angle {
             known.push((angle, block.mesh.panels, Arc::clone(&new)));
         }
-        new
+        Ok(new)
     };
-    layout.blocks.iter().map(|block| PlacedBlock { rows: rows(block), compressed: compressed(block) }).collect()
+    let placed = |block: &Block| Ok(PlacedBlock { rows: rows(block), compressed: compressed(block)? });
+    layout.blocks.iter().map(placed).collect()
 }
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::super::hierarchical::HierarchicalFactor;
+    use super::super::hierarchical::{HierarchicalFactor, Refusal};
     use super::super::layout::{Fineness, layout};
     use super::*;
     use crate::geometry::SimplePolygon;
     use crate::outline::Preset;
     use std::f64::consts::TAU;
 
-    /// Both factors of a curve's system.
-    fn factors(curve: &Curve, problem: Problem) -> (System, HierarchicalFactor) {
+    /// What `read` finds of a curve's system, with its dense factor, and its entries.
+    fn of_system<T>(curve: &Curve, problem: Problem, read: impl FnOnce(&System, &Entries<'_>) -> T) -> T {
         let layout = layout(curve, &[], (Fineness::STANDARD, problem), 4000).unwrap();
-        let system = System::new(curve, &layout, problem);
+        let system = System::new(curve, &layout, problem).unwrap();
         assert!(matches!(system.factor, Factor::Dense(_)), "{} unknowns", system.unknowns());
         let entries = Entries::new(curve, &layout, (&system.panels, &system.bases), problem);
-        let hierarchical = HierarchicalFactor::new(&entries, &system.blocks);
-        (system, hierarchical)
+        read(&system, &entries)
     }
 
     fn check(name: &str, curve: &Curve, problem: Problem) {
-        let (system, hierarchical) = factors(curve, problem);
+        of_system(curve, problem, |system, entries| {
+            for gathered in [HierarchicalFactor::along, HierarchicalFactor::by_place] {
+                let hierarchical = gathered(entries, &system.blocks, 100).unwrap();
+                solve_alike(name, (system, problem), &hierarchical);
+            }
+        });
+    }
+
+    fn solve_alike(name: &str, (system, problem): (&System, Problem), hierarchical: &HierarchicalFactor) {
         let places: Vec<DVec2> = system.places().collect();
         let right: Vec<f64> = system.uniform().zip(&places).map(|(length, p)| length * (1.0 + p.x * p.y)).collect();
         let [dense, found] = [system.factor.solve(&right), hierarchical.solve(&right)].map(|x| system.charges(&x));
@@ -193,24 +211,40 @@ mod tests {
 
     /// A wall of it alone nearly surrounds the middle.
     #[test]
-    fn a_ring_with_a_gap_is_gathered_by_place() {
+    fn a_ring_with_a_gap_is_solved_by_both() {
         let at = |r: f64, k: f64| DVec2::from_angle(TAU * (0.01 + 0.98 * k / 8.0)) * r;
         let outer = (0..=8).map(|k| at(1.0, f64::from(k)));
         let inner = (0..=8).rev().map(|k| at(0.8, f64::from(k)));
         let curve =
             Curve::from_polygon(&SimplePolygon::try_from(outer.chain(inner).collect::<Vec<_>>()).unwrap()).unwrap();
         check("ring", &curve, Problem::Interior);
-        let (system, hierarchical) = factors(&curve, Problem::Interior);
-        assert!(hierarchical.len() == system.unknowns());
+    }
+
+    #[test]
+    fn clusters_along_a_spiral_are_refused() {
+        let curve = Preset::Spiral.curve().unwrap();
+        of_system(&curve, Problem::Interior, |system, entries| {
+            assert_eq!(HierarchicalFactor::along(entries, &system.blocks, 100).err(), Some(Refusal::Unsuited));
+        });
+    }
+
+    #[test]
+    fn a_factor_that_is_too_large_is_refused() {
+        let curve = Preset::Star.curve().unwrap();
+        of_system(&curve, Problem::Interior, |system, entries| {
+            assert_eq!(HierarchicalFactor::along(entries, &system.blocks, 1).err(), Some(Refusal::TooLarge));
+            assert!(HierarchicalFactor::along(entries, &system.blocks, 30).is_ok());
+        });
     }
 
     #[cfg(feature = "io")]
     #[test]
     fn a_hierarchical_factor_from_its_arrays_solves_alike_and_other_arrays_are_refused() {
-        let outline = Preset::Star.outline();
-        let (system, hierarchical) = factors(outline.curve().unwrap().curve(), Problem::Interior);
+        let (hierarchical, right) = of_system(&Preset::Star.curve().unwrap(), Problem::Interior, |system, entries| {
+            let factor = HierarchicalFactor::along(entries, &system.blocks, 100).unwrap();
+            (factor, system.uniform().collect::<Vec<f64>>())
+        });
         let again = Factor::from_flat(hierarchical.to_flat()).unwrap();
-        let right: Vec<f64> = system.uniform().collect();
         assert!(again.solve(&right) == hierarchical.solve(&right));
         let refused = |change: &dyn Fn(&mut super::super::factor::FlatFactor)| {
             let mut flat = hierarchical.to_flat();

@@ -60,9 +60,9 @@ pub enum Subcommand {
 pub struct PrepareArguments {
     /// The outline, given as a file or `preset:NAME`.
     pub domain: String,
-    /// Cut off small loops and spikes of a file's outline instead of refusing it.
-    #[arg(long)]
-    pub repair: bool,
+    /// How its file is read.
+    #[command(flatten)]
+    pub reading: super::named_outline::ReadingArguments,
     /// How the domain is discretized.
     #[command(flatten)]
     pub discretization: Discretization,

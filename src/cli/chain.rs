@@ -59,7 +59,9 @@ pub fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed
     let making = Making::new(arguments, progress)?;
     let titles = titles(&arguments.sides.names());
     let asked = making.asked(&titles)?;
-    let given = asked.iter().map(|side| side::read(side.name, arguments.repair)).collect::<Result<Vec<_>, _>>()?;
+    let readings = arguments.reading.each(&arguments.sides.names())?;
+    let given = asked.iter().zip(&readings).map(|(side, how)| side::read(side.name, how));
+    let given = given.collect::<Result<Vec<_>, _>>()?;
     let prepare = |(asked, given)| making.prepared(asked, given);
     let sides = asked.iter().zip(given).map(prepare).collect::<Result<Vec<_>, _>>()?;
     let points = sides.iter().zip(&asked).map(|(side, asked)| side.constraint(asked)).collect::<Result<Vec<_>, _>>()?;

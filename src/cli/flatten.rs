@@ -4,14 +4,15 @@ use super::corners::Corners;
 use super::flatten_arguments::{CornersArgument, FlattenArguments, SurfacePoint, UvArgument, read};
 use super::named_outline::{NamedOutline, read_outline};
 use super::optimization::{Optimized, optimized};
-use super::output::{check_paths, edges_flipped, print, quality_in_words, say_solver, triangles, words, write_all};
+use super::output::{check_paths, edges_flipped, print, quality_in_words, say_solver, words, write_all};
 use super::progress::Progress;
-use super::side::{Asked, Given, NamedSide, Reading, SideAnchor, SidePoint};
+use super::repair::disk;
+use super::side::{Asked, Given, NamedSide, Reading, SideAnchor, SidePoint, subdivided};
 use super::tables::Counts;
 use super::{CliError, flatten_pins, surface_picture};
 use crate::conformal::{
     ConformalMap, Constraints, CornerCuts, FrameTimings, MapError, MapSettings, MeshedSurface, PerSide, PrepareTimings,
-    PreparedSide, Quality, Side, prepare_surface,
+    PreparedSide, Quality, Side, Subdivided, prepare_surface,
 };
 use crate::export::{FileFormat, Flattened, Placement};
 use crate::laplace::SolverKind;
@@ -136,10 +137,8 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     let kind = summary.interpretation.map(|found| format!("\noutline: {}", words(found))).unwrap_or_default();
     let corners = summary.corners.map(|corners| format!("\n{}", corners.said())).unwrap_or_default();
     print(&format!(
-        "m = {}, n = {}, {}; {}, negative weights {} → {}\n{}{best}{kind}{corners}",
-        counts.m,
-        counts.n,
-        triangles(counts.triangles),
+        "{}; {}, negative weights {} → {}\n{}{best}{kind}{corners}",
+        counts.said(),
         edges_flipped(flips.flips),
         flips.negative_before,
         flips.negative_after,
@@ -169,17 +168,15 @@ fn compute(
 ) -> Result<(Parameterized, Timings), CliError> {
     let criterion = arguments.optimize.criterion.as_ref();
     criterion.map_or(Ok(()), |named| named.check(PerSide::new(true, false)))?;
-    let outline =
-        read_outline(&arguments.outline, arguments.mending.repair)?.interpreted(arguments.discretization.interpret);
+    let outline = read_outline(&arguments.outline, &arguments.mending.reading.one(&arguments.outline)?)?
+        .interpreted(arguments.discretization.interpret);
     progress.enter(format!("checking {}", arguments.surface));
     let outer = usize::from(arguments.mending.boundary_loop) - 1;
-    let (disk, check) = timed(|| {
-        if arguments.mending.repair { SurfaceMesh::repaired_around(surface, outer) } else { SurfaceMesh::new(surface) }
-    });
+    let (disk, check) = timed(|| disk(surface, arguments.mending.reading.repair, outer));
     let disk = disk.map_err(|error| about(&arguments.surface, &error))?;
     let corners = outline.outline.corner_places();
-    let mut sides = Sides::prepare(arguments, outline, disk, progress)?;
-    let pinned = flatten_pins::constraints(&arguments.pins, &mut sides.source, &sides.surface, progress)?;
+    let mut sides = Sides::prepare(arguments, (surface, disk), outline, progress)?;
+    let pinned = flatten_pins::constraints(&arguments.pins, &mut sides.source, (surface, &sides.subdivided), progress)?;
     let (pins, constraints) = match pinned {
         Some((pins, constraints)) => (Some(pins), constraints),
         None => (None, sides.constraints(arguments, surface)?),
@@ -193,9 +190,14 @@ fn compute(
     let x2 = constraints.points.target.on_surface().unwrap_or(sides.meshed.centre());
     let y2 = constraints.anchors.target;
     progress.enter("the map");
-    let (source, surface) = (Arc::clone(&sides.source.prepared), Arc::clone(&sides.surface));
-    let timings = Timings { check, surface: surface.timings(), outline: source.timings(), ..Timings::default() };
-    let map = ConformalMap::new(source, surface, &constraints, MapSettings::default());
+    let timings = Timings {
+        check,
+        surface: sides.surface.timings().and(sides.subdivided.timings()),
+        outline: sides.source.prepared.timings(),
+        ..Timings::default()
+    };
+    let subdivided = PerSide::new(sides.source.subdivided.clone(), sides.subdivided.clone());
+    let map = ConformalMap::subdivided(&subdivided, &constraints, MapSettings::default());
     let map = map.map_err(|error| refused(&error, arguments))?;
     sides.say_notes(arguments);
     let pins = pins.map_or_else(|| Ok(Vec::new()), |pins| flatten_pins::met(&map, &pins))?;
@@ -210,6 +212,8 @@ fn compute(
 struct Sides {
     source: NamedSide,
     surface: Arc<PreparedSide>,
+    /// The surface on finer triangles.
+    subdivided: Subdivided,
     meshed: Arc<MeshedSurface>,
     /// The requested solver, which may differ from the one used.
     solver: SolverKind,
@@ -218,13 +222,17 @@ struct Sides {
 impl Sides {
     fn prepare(
         arguments: &FlattenArguments,
+        (given, disk): (&Surface, SurfaceMesh),
         outline: NamedOutline,
-        disk: SurfaceMesh,
         progress: &Progress,
     ) -> Result<Self, CliError> {
         let FlattenArguments { mending, discretization, .. } = arguments;
-        let reading =
-            Reading { repair: mending.repair, intrinsic_delaunay: !arguments.no_intrinsic_delaunay, discretization };
+        let reading = Reading {
+            repair: mending.reading.repair,
+            intrinsic_delaunay: !arguments.triangles.no_intrinsic_delaunay,
+            discretization,
+            subdivide: !arguments.triangles.no_subdivision,
+        };
         let settings = reading.surface_settings();
         let surface = prepare_surface(disk, settings, &mut progress.preparing(&arguments.surface));
         let surface = surface.map_err(|error| about(&arguments.surface, &error))?;
@@ -237,16 +245,19 @@ impl Sides {
         };
         let source = NamedSide::prepare(&asked, Given::Outline(outline), reading, progress)?;
         let meshed = Arc::clone(surface.surface().ok_or_else(no_surface)?);
-        Ok(Self { source, surface: Arc::new(surface), meshed, solver: settings.solver })
+        let surface = Arc::new(surface);
+        let x = point(arguments, given, &meshed)?.into();
+        let subdivided = subdivided(&surface, x, reading, &mut progress.preparing(&arguments.surface));
+        let subdivided = subdivided.map_err(|error| about(&arguments.surface, &error))?;
+        Ok(Self { source, surface, subdivided, meshed, solver: settings.solver })
     }
 
     /// The given constraints; `surface` is as it was read.
     fn constraints(&self, arguments: &FlattenArguments, surface: &Surface) -> Result<Constraints, CliError> {
         let x1 = arguments.outline_point.map_or(self.source.prepared.default_point(), |p| p.0.into());
         let y1 = self.source.anchor("--outline-anchor", SideAnchor::Plane(arguments.outline_anchor))?;
-        let locate = |point: SurfacePoint| point.locate("--surface-point", surface, &self.meshed);
-        let x2 = arguments.surface_point.map_or(Ok(self.meshed.centre()), locate)?;
-        let y2 = arguments.surface_anchor.fraction("--surface-anchor", &self.meshed)?;
+        let x2 = point(arguments, surface, &self.meshed)?;
+        let y2 = arguments.surface_anchor.fraction("--surface-anchor", surface, &self.meshed)?;
         Ok(Constraints::new((x1, y1), (x2, y2)))
     }
 
@@ -268,6 +279,12 @@ impl Sides {
         self.source.say_notes(&arguments.discretization);
         say_solver(&arguments.surface, self.solver, self.surface.solver_kind());
     }
+}
+
+/// The interior point of the surface, which is `given` as it was read.
+fn point(arguments: &FlattenArguments, given: &Surface, meshed: &MeshedSurface) -> Result<BarycentricPoint, CliError> {
+    let locate = |point: SurfacePoint| point.locate("--surface-point", given, meshed);
+    arguments.surface_point.map_or(Ok(meshed.centre()), locate)
 }
 
 fn no_surface() -> CliError {
@@ -293,15 +310,12 @@ fn refused(error: &MapError, arguments: &FlattenArguments) -> CliError {
 
 fn summarize(surface: &Surface, whole: &Parameterized, flattened: &Flattened, timing_ms: Timings) -> Summary {
     let Parameterized { map, sides, x2, y2, .. } = whole;
-    let (prepared, meshed) = (map.mapped(), &sides.meshed);
+    let meshed = &sides.meshed;
     let disk = meshed.surface();
-    let mut weights = [0.0; 3];
-    for (i, weight) in disk.corners_in(surface, x2.triangle()).into_iter().zip(x2.weights()) {
-        weights[i] = weight;
-    }
+    let weights = disk.weights_in(surface, *x2);
     Summary {
         quality: map.quality(),
-        counts: Counts::of(prepared),
+        counts: Counts::of(map),
         flips: meshed.flips(),
         repairs: disk.repairs().iter().map(ToString::to_string).collect(),
         notes: surface

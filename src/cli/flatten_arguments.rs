@@ -2,14 +2,17 @@
 
 use super::CliError;
 use super::discretization::Discretization;
-use super::named_outline::read_file;
+use super::map_arguments::TriangleArguments;
+use super::named_outline::{ReadingArguments, read_file};
 use super::values::{Anchor, Point, Size};
 use crate::conformal::MeshedSurface;
 use crate::counted::counted;
 use crate::geometry::DVec3;
 use crate::mesh::{BarycentricPoint, TriangleId, VertexId};
-use crate::surface::{MAX_BYTES, Surface, SurfaceNote, SurfacePreset, at_vertex, nearest_on_boundary, read_surface};
-use std::path::PathBuf;
+use crate::surface::{
+    MAX_BYTES, Surface, SurfaceMesh, SurfaceNote, SurfacePreset, at_vertex, nearest_on_boundary, read_surface_beside,
+};
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// `riemap flatten SURFACE OUTLINE`.
@@ -46,9 +49,9 @@ pub struct FlattenArguments {
     /// What is mended before the surface is mapped.
     #[command(flatten)]
     pub mending: MendingArguments,
-    /// Use the surface's own cotangent weights, even negative ones, instead of flipping its edges to be Delaunay.
-    #[arg(long)]
-    pub no_intrinsic_delaunay: bool,
+    /// On which triangles surfaces are computed.
+    #[command(flatten)]
+    pub triangles: TriangleArguments,
     /// How the outline is discretized; kernel and solver apply to the surface too.
     #[command(flatten)]
     pub discretization: Discretization,
@@ -70,10 +73,9 @@ pub struct FlattenArguments {
 /// What is mended before the surface is mapped.
 #[derive(Debug, clap::Args)]
 pub struct MendingArguments {
-    /// Make all safe repairs of the surface (drop duplicate triangles and unused vertices, orient, keep the largest
-    /// component, fill holes), and cut small loops and spikes off the outline.
-    #[arg(long)]
-    pub repair: bool,
+    /// How files are read.
+    #[command(flatten)]
+    pub reading: ReadingArguments,
     /// Of several boundary loops the one that becomes the outline: 1 is the longest, which is the default. The others are
     /// filled; with --repair.
     #[arg(long, value_name = "K", requires = "repair", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
@@ -150,14 +152,20 @@ impl SurfacePoint {
         let whole = surface.surface();
         match self {
             Self::Vertex(vertex) => {
-                let found = whole.number_of(VertexId::new(vertex)).and_then(|number| at_vertex(whole.mesh(), number));
+                let found = number_of(vertex, given, whole).and_then(|number| at_vertex(whole.mesh(), number));
                 found.ok_or_else(|| CliError::Input(format!("{option}: {}", no_vertex(given, vertex))))
             }
             Self::InTriangle(triangle, weights) => {
                 let kept = whole.triangle_origins().iter().position(|&origin| origin == triangle);
                 let missing = || CliError::Input(format!("{option}: {}", no_triangle(given, triangle)));
                 let kept = TriangleId::new(kept.ok_or_else(missing)? as u32);
-                Ok(BarycentricPoint::new(kept, whole.corners_in(given, kept).map(|i| weights[i])))
+                if let Some(corners) = whole.corners_in(given, kept) {
+                    return Ok(BarycentricPoint::new(kept, corners.map(|i| weights[i])));
+                }
+                // a repair gave it other corners
+                let corners = given.triangles()[triangle as usize].map(|v| given.vertices()[v as usize]);
+                let place = corners.iter().zip(weights).map(|(&corner, weight)| weight * corner).sum();
+                Self::Nearest(place).locate(option, given, surface)
             }
             Self::Nearest(place) => surface
                 .tree()
@@ -168,9 +176,14 @@ impl SurfacePoint {
     }
 }
 
+/// The number in the mesh of a vertex of the file; `given` is the surface as it was read.
+fn number_of(vertex: u32, given: &Surface, mesh: &SurfaceMesh) -> Option<VertexId> {
+    mesh.number_of(VertexId::new(given.vertex_in_file(vertex)?))
+}
+
 /// The message for a vertex number that is out of range.
 fn no_vertex(given: &Surface, vertex: u32) -> String {
-    match given.vertices().len() {
+    match given.count_in_file() {
         count if (vertex as usize) < count => format!("vertex {vertex} was dropped by the repair"),
         count => format!("the surface has no vertex {vertex}: it has {count}, counted from 0"),
     }
@@ -221,12 +234,13 @@ impl FromStr for SurfaceAnchor {
 
 impl SurfaceAnchor {
     /// The anchor as a fraction of the boundary's length, in `[0, 1)`.
-    pub fn fraction(self, option: &str, surface: &MeshedSurface) -> Result<f64, CliError> {
+    /// `given` is the surface as it was read.
+    pub fn fraction(self, option: &str, given: &Surface, surface: &MeshedSurface) -> Result<f64, CliError> {
         match self {
             Self::Fraction(s) => Ok(s.rem_euclid(1.0)),
             Self::Nearest(place) => Ok(surface.fraction_at(nearest_on_boundary(surface.mesh(), place))),
             Self::Vertex(vertex) => {
-                let number = surface.surface().number_of(VertexId::new(vertex));
+                let number = number_of(vertex, given, surface.surface());
                 let number = number.and_then(|number| surface.fractions().get(number.index()));
                 let inner = || CliError::Input(format!("{option}: vertex {vertex} is not on the boundary"));
                 number.copied().ok_or_else(inner)
@@ -255,5 +269,7 @@ pub fn read(name: &str) -> Result<Surface, CliError> {
         return preset.surface(boundary).map_err(|error| input(&error));
     }
     let bytes = read_file(name, MAX_BYTES)?;
-    read_surface(name, &bytes).map_err(|error| input(&error))
+    let folder = Path::new(name).parent().unwrap_or(Path::new(""));
+    let mut neighbor = |file: &str| read_file(&folder.join(file).to_string_lossy(), MAX_BYTES).ok();
+    read_surface_beside(name, &bytes, &mut neighbor).map_err(|error| input(&error))
 }

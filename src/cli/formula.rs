@@ -71,8 +71,14 @@ fn map(arguments: &FormulaArguments, progress: &Progress) -> Result<ConformalMap
     }
     asked.iter().try_for_each(Asked::check)?;
     let discretization = arguments.discretization();
-    let reading = Reading { repair: arguments.repair, intrinsic_delaunay: true, discretization: &discretization };
-    let [first, second] = [side::read(asked[0].name, arguments.repair)?, side::read(asked[1].name, arguments.repair)?];
+    let reading = Reading {
+        repair: arguments.reading.repair,
+        intrinsic_delaunay: true,
+        discretization: &discretization,
+        subdivide: false,
+    };
+    let how = arguments.reading.each(&[asked[0].name, asked[1].name])?;
+    let [first, second] = [side::read(asked[0].name, &how[0])?, side::read(asked[1].name, &how[1])?];
     let source = NamedSide::prepare(&asked[0], first, reading, progress)?;
     let target = NamedSide::prepare(&asked[1], second, reading, progress)?;
     let constraints = Constraints::new(source.constraint(&asked[0])?, target.constraint(&asked[1])?);

@@ -34,9 +34,9 @@ pub struct FormulaArguments {
     /// What an outline's points are taken for, as for `riemap map`.
     #[arg(long, default_value = "auto")]
     pub interpret: InterpretArgument,
-    /// Cut off small loops and spikes of a file's outline instead of refusing it.
-    #[arg(long)]
-    pub repair: bool,
+    /// How files are read.
+    #[command(flatten)]
+    pub reading: super::named_outline::ReadingArguments,
     /// Write the formula to this file; may be repeated; the extension selects the format: json (all numbers), or code
     /// with the functions f and f_inverse: py (Python), jl (Julia), js (JavaScript), glsl (single precision: at most 5
     /// digits).

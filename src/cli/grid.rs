@@ -16,11 +16,13 @@ pub fn run(arguments: &GridArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| format_of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
     let progress = Progress::new("reading");
-    let NamedCurve { curve, polygon, .. } =
-        NamedCurve::read(&arguments.outline, arguments.repair, arguments.interpret)?;
+    let given = NamedCurve::read(&arguments.outline, &arguments.reading.one(&arguments.outline)?, arguments.interpret)?;
+    let none = || CliError::Usage("a grid needs four marks: --marks, or --mark four times".to_owned());
+    let marks = arguments.marks.on(&given)?.ok_or_else(none)?.marks;
+    let NamedCurve { curve, polygon, .. } = given;
     let refused = |error: QuadrilateralError| CliError::Input(format!("{}: {error}", arguments.outline));
     progress.enter("the integral equation");
-    let quadrilateral = Quadrilateral::of_outline((&polygon, &curve), arguments.marks.0).map_err(refused)?;
+    let quadrilateral = Quadrilateral::of_outline((&polygon, &curve), marks).map_err(refused)?;
     progress.enter("the map");
     let map = quadrilateral.map().map_err(refused)?;
     progress.enter("the grid");

@@ -1,7 +1,7 @@
 //! The arguments of `riemap grid`.
 
 use super::discretization::InterpretArgument;
-use super::invariants_arguments::MarksArgument;
+use super::marks::MarkArguments;
 use crate::conformal::{GridCells, MOST_CELLS};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -14,19 +14,18 @@ use std::str::FromStr;
 pub struct GridArguments {
     /// The outline, given as a file (JSON, CSV, text, SVG, GeoJSON) or `preset:NAME`.
     pub outline: String,
-    /// The four corners of the grid as fractions of the boundary's length from the outline's first point, in
-    /// counter-clockwise cyclic order.
-    #[arg(long, value_name = "S,S,S,S", allow_hyphen_values = true)]
-    pub marks: MarksArgument,
+    /// The four corners of the grid.
+    #[command(flatten)]
+    pub marks: MarkArguments,
     /// The number of cells from mark 1 to mark 2 and from mark 2 to mark 3; each at most 1000.
     #[arg(long, value_name = "NxM", allow_hyphen_values = true)]
     pub cells: CellsArgument,
     /// What an outline's points are taken for, as for `riemap map`.
     #[arg(long, default_value = "auto")]
     pub interpret: InterpretArgument,
-    /// Cut off small loops and spikes of a file's outline instead of refusing it.
-    #[arg(long)]
-    pub repair: bool,
+    /// How its file is read.
+    #[command(flatten)]
+    pub reading: super::named_outline::ReadingArguments,
     /// Write the grid to this file; may be repeated; the extension selects the format: csv (rows i,j,x,y), svg (outline
     /// and lines), obj (the cells as quadrilaterals), vtk (legacy, a structured grid).
     #[arg(long, value_name = "FILE")]

@@ -2,7 +2,9 @@
 
 use super::CliError;
 use super::invariants_arguments::InvariantsArguments;
+use super::marks::Marked;
 use super::named_curve::NamedCurve;
+use super::named_outline::reach;
 use super::output::print;
 use crate::boundary_integral::{BoundaryIntegralError, Estimate, Invariants, InvariantsRequest, invariants};
 use crate::conformal::Quadrilateral;
@@ -10,20 +12,21 @@ use std::fmt::Write as _;
 
 /// Computes and prints the invariants.
 pub fn run(arguments: &InvariantsArguments) -> Result<(), CliError> {
-    let given = NamedCurve::read(&arguments.outline, arguments.repair, arguments.interpret)?;
+    let given = NamedCurve::read(&arguments.outline, &arguments.reading.one(&arguments.outline)?, arguments.interpret)?;
     let point = |fraction| given.curve.point_at_fraction(fraction);
-    let marks = arguments.marks.map(|marks| marks.0.fractions().map(point));
+    let marked = arguments.marks.on(&given)?;
+    let marks = marked.map(|marked| marked.marks.fractions().map(point));
     let request = InvariantsRequest::new(arguments.point.0)
         .with_second_point(arguments.second_point.map(|point| point.0))
         .with_marks(marks);
-    let mut found = invariants(&given.curve, &request).map_err(|error| refused(arguments, &error))?;
-    if let Some(marks) = &arguments.marks {
+    let mut found = invariants(&given.curve, &request).map_err(|error| refused(arguments, &given, &error))?;
+    if let Some(marked) = marked {
         // from viewpoints of its own: it does not depend on the point
-        let quadrilateral = Quadrilateral::of_outline((&given.polygon, &given.curve), marks.0);
-        let refused = |error| CliError::Input(format!("{}: --marks: {error}", arguments.outline));
+        let quadrilateral = Quadrilateral::of_outline((&given.polygon, &given.curve), marked.marks);
+        let refused = |error| CliError::Input(format!("{}: the marks: {error}", arguments.outline));
         found.modulus = Some(quadrilateral.map_err(refused)?.modulus());
     }
-    let measures = measures(&given, &found);
+    let measures = measures(&given, &found, marked);
     if arguments.json {
         let report = Report {
             harmonic_measure: measures.into_iter().map(Number::from).collect(),
@@ -40,22 +43,26 @@ pub fn run(arguments: &InvariantsArguments) -> Result<(), CliError> {
 }
 
 /// The measures of the arcs from mark to mark, or else of the sides in the file's order.
-fn measures(given: &NamedCurve, found: &Invariants) -> Vec<Estimate> {
-    let mut sides = found.pieces.clone();
+fn measures(given: &NamedCurve, found: &Invariants, marked: Option<Marked>) -> Vec<Estimate> {
+    let mut sides = found.of_sides(&given.sides);
     if given.is_reversed {
-        // the first point stays first, so the file's side 0 is the last piece
+        // the first point stays first, so the file's side 0 is the last one
         sides.reverse();
     }
-    found.arcs.map_or(sides, |arcs| arcs.to_vec())
+    match (found.arcs, marked) {
+        (Some(arcs), Some(marked)) => marked.as_given(arcs).to_vec(),
+        _ => sides,
+    }
 }
 
-fn refused(arguments: &InvariantsArguments, error: &BoundaryIntegralError) -> CliError {
-    let option = match error {
-        BoundaryIntegralError::NotInside { at } if *at == arguments.point.0 => "--point: ",
-        BoundaryIntegralError::NotInside { .. } => "--second-point: ",
-        _ => "",
+fn refused(arguments: &InvariantsArguments, given: &NamedCurve, error: &BoundaryIntegralError) -> CliError {
+    let reach = || reach(&given.polygon);
+    let (option, reach) = match error {
+        BoundaryIntegralError::NotInside { at } if *at == arguments.point.0 => ("--point: ", reach()),
+        BoundaryIntegralError::NotInside { .. } => ("--second-point: ", reach()),
+        _ => ("", String::new()),
     };
-    CliError::Input(format!("{}: {option}{error}", arguments.outline))
+    CliError::Input(format!("{}: {option}{error}{reach}", arguments.outline))
 }
 
 /// A number of a report, with its error.

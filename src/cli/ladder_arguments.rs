@@ -36,4 +36,7 @@ pub enum ShapeArgument {
     VShape,
     Blob,
     Quintic,
+    Notch,
+    Clef,
+    Coast,
 }

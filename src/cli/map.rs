@@ -3,8 +3,9 @@
 use super::CliError;
 use super::chain::{self, Chain};
 use super::map_arguments::{DirectionArgument, ExtensionArgument, MapArguments};
+use super::named_outline::reach;
 use super::optimization::optimized;
-use super::output::{Format, check_paths, print, quality_in_words, triangles, words, write_all};
+use super::output::{Format, check_paths, print, quality_in_words, words, write_all};
 use super::pins::{self, Pinned};
 use super::points::Points;
 use super::progress::Progress;
@@ -65,10 +66,8 @@ fn in_words(summary: &Summary) -> String {
     let best = best.as_ref().map(|best| format!("\n{}", best.optimised.said())).unwrap_or_default();
     let links = chain.as_ref().map(Chain::text).unwrap_or_default();
     format!(
-        "m = {}, n = {}, {}\n{}{}{}{pinned}{best}{kinds}{links}",
-        counts.m,
-        counts.n,
-        triangles(counts.triangles),
+        "{}\n{}{}{}{pinned}{best}{kinds}{links}",
+        counts.said(),
         quality_in_words(quality),
         unresolved
             .map(|area| format!("\nunresolved, hatched in pictures: {area:.2e} of the other area"))
@@ -107,7 +106,8 @@ fn estimate(
     if map.error_estimate().is_some() {
         return None;
     }
-    let vertices: usize = sides.iter().map(|side| side.prepared.vertex_count()).sum();
+    let uncut = sides.iter().filter(|side| !side.subdivided.is_cut());
+    let vertices: usize = uncut.map(|side| side.prepared.vertex_count()).sum();
     if vertices > MAX_COMPARED {
         return Some(format!("{vertices} vertices are too many to compare with a finer mesh"));
     }
@@ -116,7 +116,12 @@ fn estimate(
         else {
             return Ok(false);
         };
-        let finer = map.on_finer(&PerSide::new(source, target)).map_err(|error| error.to_string())?;
+        let finer = PerSide::new(source, target);
+        if sides.iter().any(|side| side.subdivided.is_cut()) {
+            let subdivided = PerSide::from(sides.map(|side| side.subdivided.clone()));
+            return map.compare_subdivided(&subdivided, &finer).map_err(|error| error.to_string());
+        }
+        let finer = map.on_finer(&finer).map_err(|error| error.to_string())?;
         Ok(finer.is_some_and(|finer| map.compare_with(&finer)))
     };
     match compared(map) {
@@ -161,7 +166,8 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
     let pins = arguments.instead.pins.check(&asked)?;
     let criterion = arguments.instead.optimize.criterion.as_ref();
     criterion.map_or(Ok(()), |named| named.check(PerSide::from(asked.map(|side| !is_surface(side.name)))))?;
-    let [first, second] = [side::read(asked[0].name, arguments.repair)?, side::read(asked[1].name, arguments.repair)?];
+    let how = arguments.reading.each(&[asked[0].name, asked[1].name])?;
+    let [first, second] = [side::read(asked[0].name, &how[0])?, side::read(asked[1].name, &how[1])?];
     let mut source = making.prepared(&asked[0], first)?;
     let mut target = making.prepared(&asked[1], second)?;
     let pins = pins.map(|given| pins::constraints(given, [&mut source, &mut target], progress)).transpose()?;
@@ -205,9 +211,10 @@ impl<'a> Making<'a> {
     /// Checks the settings and reads the points of the arguments.
     pub fn new(arguments: &'a MapArguments, progress: &'a Progress) -> Result<Self, CliError> {
         let reading = Reading {
-            repair: arguments.repair,
-            intrinsic_delaunay: !arguments.no_intrinsic_delaunay,
+            repair: arguments.reading.repair,
+            intrinsic_delaunay: !arguments.triangles.no_intrinsic_delaunay,
             discretization: &arguments.discretization,
+            subdivide: !arguments.triangles.no_subdivision,
         };
         let settings = settings(arguments)?;
         let points = arguments.evaluate.read(&arguments.out)?;
@@ -247,15 +254,16 @@ impl<'a> Making<'a> {
         NamedSide::prepare(asked, given, self.reading, self.progress)
     }
 
-    /// The map between two sides, on their own meshes.
+    /// The map between two sides.
     pub fn map(
         &self,
         [source, target]: [&NamedSide; 2],
         constraints: &Constraints,
         asked: &[Asked<'_>; 2],
     ) -> Result<ConformalMap, CliError> {
-        let sides = (Arc::clone(&source.prepared), Arc::clone(&target.prepared));
-        ConformalMap::new(sides.0, sides.1, constraints, self.settings).map_err(|error| refused(&error, asked))
+        let sides = PerSide::new(source.subdivided.clone(), target.subdivided.clone());
+        ConformalMap::subdivided(&sides, constraints, self.settings)
+            .map_err(|error| refused(&error, asked, [source, target]))
     }
 
     /// The map, refined and extended as asked for, its summary, and the images of `points`.
@@ -382,9 +390,13 @@ pub(super) fn titles(names: &[&str]) -> Vec<String> {
 }
 
 /// An error of the map; one about a surface with its title, for there may be two.
-fn refused(error: &MapError, [source, target]: &[Asked<'_>; 2]) -> CliError {
-    let side = if error.side() == Side::Source { source } else { target };
-    CliError::Input(if is_surface(side.name) { format!("{}: {error}", side.title) } else { error.to_string() })
+fn refused(error: &MapError, [source, target]: &[Asked<'_>; 2], named: [&NamedSide; 2]) -> CliError {
+    let (side, named) = if error.side() == Side::Source { (source, named[0]) } else { (target, named[1]) };
+    CliError::Input(match (error, named.outline()) {
+        (MapError::PointOutside { .. }, Some(outline)) => format!("{error}{}", reach(outline.polygon())),
+        (_, Some(_)) => error.to_string(),
+        (_, None) => format!("{}: {error}", side.title),
+    })
 }
 
 /// Where pins lie on a side, in the plane z = 0 or in space; none without pins.

@@ -23,13 +23,12 @@ pub struct MapArguments {
     /// The numbers of boundary samples.
     #[command(flatten)]
     pub samples: SampleArguments,
-    /// Cut off small loops and spikes of a file's outline instead of refusing it, and make all safe repairs of a
-    /// surface.
-    #[arg(long)]
-    pub repair: bool,
-    /// Use a surface's own cotangent weights, even negative ones, instead of flipping its edges to be Delaunay.
-    #[arg(long)]
-    pub no_intrinsic_delaunay: bool,
+    /// How files are read.
+    #[command(flatten)]
+    pub reading: super::named_outline::ReadingArguments,
+    /// On which triangles surfaces are computed.
+    #[command(flatten)]
+    pub triangles: TriangleArguments,
     /// How outlines are discretized; kernel and solver apply to surfaces too.
     #[command(flatten)]
     pub discretization: Discretization,
@@ -56,6 +55,18 @@ pub struct MapArguments {
     /// Print quality, timings and counts as JSON on stdout.
     #[arg(long)]
     pub json: bool,
+}
+
+/// On which triangles surfaces are computed.
+#[derive(Debug, clap::Args)]
+pub struct TriangleArguments {
+    /// Use a surface's own cotangent weights, even negative ones, instead of flipping its edges to be Delaunay.
+    #[arg(long)]
+    pub no_intrinsic_delaunay: bool,
+    /// Compute surfaces on their own triangles. Else these are cut into four until the map is resolved at the surface's
+    /// vertices, up to 200,000 triangles, except with the table and without intrinsic Delaunay flips.
+    #[arg(long)]
+    pub no_subdivision: bool,
 }
 
 /// What determines a map in place of its constraints.

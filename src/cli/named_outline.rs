@@ -2,8 +2,10 @@
 
 use super::CliError;
 use super::discretization::InterpretArgument;
+use super::repair::RepairArgument;
+use super::side::is_surface;
 use crate::conformal::{KernelMode, PrepareError, PrepareSettings, PreparedSide, Stage, prepare, prepare_curve};
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, SimplePolygon};
 use crate::outline::{self, Interpreted, Outline, Preset};
 use std::io::Read as _;
 use std::str::FromStr as _;
@@ -12,6 +14,8 @@ use std::str::FromStr as _;
 pub struct NamedOutline {
     /// The outline.
     pub outline: Outline,
+    /// The points of its file in its order, or of the preset.
+    pub vertices: Vec<DVec2>,
     /// The preset, if it is one.
     preset: Option<Preset>,
 }
@@ -70,6 +74,12 @@ impl NamedOutline {
     }
 }
 
+/// Where an outline is, for messages about points that are not inside it.
+pub fn reach(polygon: &SimplePolygon) -> String {
+    let [low, high] = polygon.bounds().corners();
+    format!("; it reaches from ({}, {}) to ({}, {})", low.x, low.y, high.x, high.y)
+}
+
 /// Reads at most `most` + 1 bytes of a file, so that the parser sees, and rejects, one with more than `most`.
 pub fn read_file(name: &str, most: usize) -> Result<Vec<u8>, CliError> {
     let mut bytes = Vec::new();
@@ -78,14 +88,51 @@ pub fn read_file(name: &str, most: usize) -> Result<Vec<u8>, CliError> {
     Ok(bytes)
 }
 
-/// Reads `preset:NAME` or a file. With `repair`, loops and spikes of an outline are cut off and noted.
-pub fn read_outline(name: &str, repair: bool) -> Result<NamedOutline, CliError> {
+/// How the files of outlines are read.
+#[derive(Debug, Clone, clap::Args)]
+pub struct ReadingArguments {
+    /// Mend outlines that touch or cross themselves by cutting off small loops, spikes and knots, and make all safe repairs
+    /// of surfaces, instead of refusing them. Where more than a tenth of a surface's triangles would be dropped with all but
+    /// its largest part, that must be asked for by --repair=largest.
+    #[arg(long, value_name = "largest", num_args = 0..=1, require_equals = true, default_missing_value = "safe")]
+    pub repair: Option<RepairArgument>,
+    /// Which shape of an SVG file is read, by the id of its path or its number, or which feature of a GeoJSON file, by its
+    /// name or number [default: the largest]; may be given once for each file.
+    #[arg(long = "shape", visible_alias = "feature", value_name = "ID|N")]
+    pub parts: Vec<String>,
+}
+
+impl ReadingArguments {
+    /// How this one is read. Errors: as [`Self::each`].
+    pub fn one(&self, name: &str) -> Result<outline::Reading<'_>, CliError> {
+        self.each(&[name]).map(|readings| readings[0])
+    }
+
+    /// How each of these is read. Errors: more parts are named than there are files of outlines.
+    pub fn each<'a>(&'a self, names: &[&str]) -> Result<Vec<outline::Reading<'a>>, CliError> {
+        let mut parts = self.parts.iter();
+        let of = |name: &&str| {
+            let is_file = !name.starts_with("preset:") && !is_surface(name);
+            let part = if is_file { parts.next().map(String::as_str) } else { None };
+            outline::Reading { repair: self.repair.is_some(), part }
+        };
+        let readings = names.iter().map(of).collect();
+        match parts.next() {
+            None => Ok(readings),
+            Some(part) => Err(CliError::Usage(format!("--shape {part}: there is no file of an outline for it"))),
+        }
+    }
+}
+
+/// Reads `preset:NAME` or a file.
+pub fn read_outline(name: &str, how: &outline::Reading) -> Result<NamedOutline, CliError> {
     if let Some(preset) = name.strip_prefix("preset:") {
         let preset = Preset::from_str(preset).map_err(|error| CliError::Input(error.to_string()))?;
-        return Ok(NamedOutline { outline: preset.outline(), preset: Some(preset) });
+        let outline = preset.outline();
+        return Ok(NamedOutline { vertices: outline.polygon().vertices().to_vec(), outline, preset: Some(preset) });
     }
     let bytes = read_file(name, outline::MAX_BYTES)?;
-    let parse = if repair { outline::parse_repaired } else { outline::parse };
-    let outline = parse(name, &bytes).map_err(|error| CliError::Input(format!("{name}: {error}")))?;
-    Ok(NamedOutline { outline, preset: None })
+    let refused = |error: outline::OutlineError| CliError::Input(format!("{name}: {error}"));
+    let (outline, vertices) = outline::parse_with_vertices(name, &bytes, how).map_err(refused)?;
+    Ok(NamedOutline { outline, vertices, preset: None })
 }

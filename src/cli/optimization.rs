@@ -7,7 +7,7 @@ use crate::conformal::{Constraints, MapSettings, PerSide, PreparedSide};
 use crate::geometry::{DVec2, SimplePolygon, Symmetries};
 use crate::laplace::Deadline;
 use crate::optimization::{Criterion, MOST_POLYGONS, Optimization, OptimizeError, Region, SharedSymmetries};
-use crate::outline::{MAX_BYTES, OutlineError, parse, parse_geo_rings};
+use crate::outline::{MAX_BYTES, OutlineError, Reading, parse, parse_geo_rings};
 use std::str::FromStr;
 use std::sync::Arc;
 use std::time::Instant;
@@ -116,7 +116,7 @@ fn region(file: &str) -> Result<Region, CliError> {
 
 /// The outer rings of a `GeoJSON` file, with a note about holes; none of another file.
 fn geo_rings(file: &str, bytes: &[u8]) -> Vec<Vec<DVec2>> {
-    let rings = parse_geo_rings(bytes).unwrap_or_default();
+    let rings = parse_geo_rings(bytes, &Reading::default()).unwrap_or_default();
     let holes: usize = rings.iter().map(|ring| ring.holes).sum();
     if holes > 0 {
         eprintln!("riemap: {file}: holes are left out: {holes}");

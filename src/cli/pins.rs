@@ -92,7 +92,9 @@ pub fn constraints(
 }
 
 fn found(pins: &Pins, [source, target]: [&NamedSide; 2]) -> Result<Constraints, CliError> {
-    pins.constraints(PerSide::new(&source.prepared, &target.prepared), None).map_err(|error| refused(&error))
+    let sides = PerSide::new(source.subdivided.clone(), target.subdivided.clone());
+    let found = pins.constraints(PerSide::new(sides.source.finest(), sides.target.finest()), None);
+    found.map(|found| sides.own(&found)).map_err(|error| refused(&error))
 }
 
 /// A pin's error, with the option's name.
@@ -125,7 +127,7 @@ impl Pinned {
         constraints: &Constraints,
         sides: [&NamedSide; 2],
     ) -> Result<Self, CliError> {
-        let misses = pins.checked_misses(map).map_err(|error| refused(&error))?;
+        let misses = pins.checked_misses(map.finest()).map_err(|error| refused(&error))?;
         let pin = |(pair, miss): (&PerSide<f64>, f64)| Pin { source: pair.source, target: pair.target, miss };
         Ok(Self {
             pins: pins.pairs().iter().zip(misses).map(pin).collect(),

@@ -10,7 +10,8 @@ use crate::conformal::PrepareTimings;
 
 /// Prepares the domain `repeat` times and prints the medians.
 pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
-    let named = read_outline(&arguments.domain, arguments.repair)?.interpreted(arguments.discretization.interpret);
+    let named = read_outline(&arguments.domain, &arguments.reading.one(&arguments.domain)?)?
+        .interpreted(arguments.discretization.interpret);
     let settings = arguments.discretization.settings(&named, None);
     let mut runs = Vec::new();
     let mut counts = Counts::default();
@@ -18,7 +19,7 @@ pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
     for _ in 0..arguments.repeat {
         let side = named.prepare(&[], &settings, &mut progress.preparing(&arguments.domain));
         let side = side.map_err(|error| CliError::Input(format!("{}: {error}", arguments.domain)))?;
-        counts = Counts::of(&side);
+        counts = Counts::of_side(&side);
         warn_if_coarse(&arguments.domain, &side);
         say_solver(&arguments.domain, settings.solver, side.solver_kind());
         say_kernel(&arguments.domain, &side);

@@ -8,7 +8,7 @@ use super::project_arguments::ProjectArguments;
 use crate::counted::counted;
 use crate::export::{ProjectionFormat, ProjectionReport};
 use crate::geometry::DVec2;
-use crate::outline::{GeoRing, MAX_BYTES, parse_geo_rings};
+use crate::outline::{GeoRing, MAX_BYTES, Reading, parse_geo_rings};
 use crate::projection::{self, Projection, Region};
 use std::path::{Path, PathBuf};
 
@@ -23,8 +23,17 @@ pub fn run(arguments: &ProjectArguments) -> Result<(), CliError> {
         Some(other) => {
             return Err(CliError::Input(format!("no region is built in by the name {other:?}: there is island")));
         }
-        None => parse_geo_rings(&read_file(&arguments.region, MAX_BYTES)?).map_err(|error| refused(&error))?,
+        None => {
+            let how = Reading { repair: arguments.repair, part: arguments.feature.as_deref() };
+            parse_geo_rings(&read_file(&arguments.region, MAX_BYTES)?, &how).map_err(|error| refused(&error))?
+        }
     };
+    for (ring, number) in rings.iter().zip(1..) {
+        if let Some(cut) = ring.cut {
+            let cut = counted!(cut, "a point was cut off", "{cut} points were cut off");
+            eprintln!("riemap: {}: Ring {number} touched or crossed itself and was mended: {cut}.", arguments.region);
+        }
+    }
     let points: Vec<Vec<DVec2>> = rings.iter().map(|ring| ring.points.clone()).collect();
     let region = Region::new(&points).map_err(|error| refused(&error))?;
     progress.enter("the projection");

@@ -12,6 +12,7 @@ use crate::conformal::{PerSide, Side};
 use crate::export::FileFormat;
 use crate::model::export::FileRequest;
 use crate::model::scene::{Doing, Offscreen, Shot, SurfaceFiles};
+use crate::outline::Reading;
 use crate::render::Studio;
 use crate::session::file::Attachment;
 use crate::session::link::{Decoded, MissingOutline, decode, encode as link_of, is_link};
@@ -165,7 +166,7 @@ fn with_files(decoded: Decoded, arguments: &SessionArguments) -> Result<Session,
             return Err(CliError::Usage(format!("--{side}: the session has its outline of the {side}")));
         };
         let MissingOutline { interior, anchor, pins, region, .. } = missing.remove(place);
-        let outline = read_outline(name, false)?.outline;
+        let outline = read_outline(name, &Reading::default())?.outline;
         // not SetOutline: a surface that hides the outline must stay
         session.apply(Command::ReshapeOutline { side, outline: outline.into(), interior, anchor });
         if !region.is_empty() {

@@ -6,14 +6,15 @@ use super::flatten_arguments::{self, SurfaceAnchor, SurfacePoint, preset};
 use super::named_outline::{NamedOutline, read_outline};
 use super::output::{say_solver, warn_if_coarse};
 use super::progress::Progress;
+use super::repair::{RepairArgument, disk};
 use super::values::{Anchor, Point};
 use crate::conformal::{
-    Constraints, InteriorPoint, KernelMode, PrepareSettings, PreparedSide, SideGeometry, SurfaceSettings,
-    prepare_quartered, prepare_surface,
+    Constraints, InteriorPoint, KernelMode, PrepareSettings, PreparedSide, SideGeometry, Stage, Subdivided,
+    SubdivisionError, SurfaceSettings, prepare_quartered, prepare_surface,
 };
 use crate::geometry::SimplePolygon;
-use crate::outline::{Interpreted, Preset};
-use crate::surface::{Surface, SurfaceMesh, SurfacePreset, names_format};
+use crate::outline::{self, Interpreted, Preset};
+use crate::surface::{Surface, SurfacePreset, names_format};
 use std::str::FromStr;
 use std::sync::Arc;
 
@@ -59,7 +60,7 @@ impl FromStr for SideAnchor {
             Ok(Anchor::Fraction(s)) => Ok(Self::Fraction(s)),
             Ok(anchor) => Ok(Self::Plane(anchor)),
             Err(_) => text.parse().map(Self::Surface).map_err(|_: String| {
-                "expected X,Y of an outline, a boundary vertex V or X,Y,Z of a surface, or @S with a finite fraction S, \
+                "expected vK or X,Y of an outline, a boundary vertex V or X,Y,Z of a surface, or @S with a finite fraction S, \
                  such as @0.25"
                     .to_owned()
             }),
@@ -117,6 +118,8 @@ pub struct NamedSide {
     given: Given,
     interpreted: Option<Interpreted>,
     pub prepared: Arc<PreparedSide>,
+    /// A surface on finer triangles.
+    pub subdivided: Subdivided,
     /// The settings of an outline.
     pub settings: Option<PrepareSettings>,
 }
@@ -124,11 +127,13 @@ pub struct NamedSide {
 /// The options for reading and preparing sides.
 #[derive(Debug, Clone, Copy)]
 pub struct Reading<'a> {
-    /// Whether to make the safe repairs.
-    pub repair: bool,
+    /// The repairs to make.
+    pub repair: Option<RepairArgument>,
     /// Whether a surface's edges are flipped to be Delaunay.
     pub intrinsic_delaunay: bool,
     pub discretization: &'a Discretization,
+    /// Whether surfaces are computed on finer triangles than their own.
+    pub subdivide: bool,
 }
 
 impl Reading<'_> {
@@ -141,6 +146,21 @@ impl Reading<'_> {
         let solver = self.discretization.solver_kind();
         SurfaceSettings { intrinsic_delaunay: self.intrinsic_delaunay, kernel, solver }
     }
+}
+
+/// A surface on triangles that resolve the map at its vertices, if it is to be: the paper's table, and a surface's own
+/// weights, are those of the triangles as given.
+pub fn subdivided(
+    own: &Arc<PreparedSide>,
+    x: InteriorPoint,
+    reading: Reading<'_>,
+    progress: &mut dyn FnMut(Stage),
+) -> Result<Subdivided, SubdivisionError> {
+    let settings = reading.surface_settings();
+    if !reading.subdivide || !settings.intrinsic_delaunay || settings.kernel != KernelMode::Adjoint {
+        return Ok(Subdivided::not(own));
+    }
+    Subdivided::new(own, x, settings, progress)
 }
 
 /// Whether a name means a surface: a surface preset, or a file with a surface format's extension.
@@ -185,6 +205,7 @@ impl Asked<'_> {
     /// Checks that a boundary point given by `option` fits the side's kind.
     pub fn check_anchor(&self, option: &str, anchor: SideAnchor) -> Result<(), CliError> {
         match (is_surface(self.name), anchor) {
+            (true, SideAnchor::Plane(Anchor::Vertex(_))) => Ok(()),
             (true, SideAnchor::Plane(_)) => Err(other_anchor(self.title, true, option)),
             (false, SideAnchor::Surface(_)) => Err(other_anchor(self.title, false, option)),
             _ => Ok(()),
@@ -198,17 +219,17 @@ fn other_point(title: &str, is_surface: bool, option: &str) -> CliError {
 }
 
 fn other_anchor(title: &str, is_surface: bool, option: &str) -> CliError {
-    let meant = if is_surface { "a surface: V, X,Y,Z or @S" } else { "an outline: X,Y or @S" };
+    let meant = if is_surface { "a surface: V, X,Y,Z or @S" } else { "an outline: vK, X,Y or @S" };
     CliError::Usage(format!("{option}: {title} is {meant} is meant"))
 }
 
 /// Reads the side of this name; a preset that is neither an outline nor a surface is refused with the names of both.
-pub fn read(name: &str, repair: bool) -> Result<Given, CliError> {
+pub fn read(name: &str, how: &outline::Reading) -> Result<Given, CliError> {
     if is_surface(name) {
         return flatten_arguments::read(name).map(Given::Surface);
     }
     let is_unknown = name.strip_prefix("preset:").is_some_and(|preset| Preset::from_str(preset).is_err());
-    read_outline(name, repair).map(Given::Outline).map_err(|error| match error {
+    read_outline(name, how).map(Given::Outline).map_err(|error| match error {
         CliError::Input(text) if is_unknown => {
             let surfaces = SurfacePreset::ALL.map(SurfacePreset::name).join(", ");
             CliError::Input(format!("{text}; surfaces: {surfaces}"))
@@ -234,7 +255,7 @@ impl NamedSide {
         let mut kept = None;
         let prepared = match &given {
             Given::Surface(surface) => {
-                let mesh = if repair { SurfaceMesh::repaired(surface) } else { SurfaceMesh::new(surface) };
+                let mesh = disk(surface, repair, 0);
                 let settings = reading.surface_settings();
                 let mesh = mesh.map_err(|error| about(&error))?;
                 prepare_surface(mesh, settings, &mut progress.preparing(title)).map_err(|error| about(&error))?
@@ -252,7 +273,12 @@ impl NamedSide {
             }
         };
         let interpreted = if let Given::Outline(outline) = &given { outline.interpretation(title) } else { None };
-        Ok(Self { title: (*title).to_owned(), given, interpreted, prepared: Arc::new(prepared), settings: kept })
+        let prepared = Arc::new(prepared);
+        let own = Subdivided::not(&prepared);
+        let side = Self { title: (*title).to_owned(), given, interpreted, prepared, subdivided: own, settings: kept };
+        let x = side.point(point.0, point.1)?;
+        let subdivided = subdivided(&side.prepared, x, reading, &mut progress.preparing(title));
+        Ok(Self { subdivided: subdivided.map_err(|error| about(&error))?, ..side })
     }
 
     /// The side on a finer mesh, to compare with; itself if it has the integral equation. `None` with too many samples.
@@ -260,6 +286,7 @@ impl NamedSide {
         let mut progress = progress.preparing(&self.title);
         let finer = match (&self.given, self.prepared.geometry()) {
             _ if self.prepared.curve_boundary().is_some() => return Ok(Some(Arc::clone(&self.prepared))),
+            _ if self.subdivided.is_cut() => return Ok(Some(Arc::clone(self.subdivided.finest()))),
             (_, SideGeometry::Space(surface)) => prepare_quartered(surface, reading.surface_settings(), &mut progress)
                 .map_err(|error| error.to_string())?,
             (Given::Outline(outline), SideGeometry::Plane(_)) => {
@@ -283,6 +310,7 @@ impl NamedSide {
         let prepared = outline.prepare(&[x], &settings, &mut progress.preparing(&self.title));
         let prepared = prepared.map_err(|error| CliError::Input(format!("{}: {error}", self.title)))?;
         self.prepared = Arc::new(prepared);
+        self.subdivided = Subdivided::not(&self.prepared);
         Ok(true)
     }
 
@@ -324,10 +352,7 @@ impl NamedSide {
             (InteriorPoint::Plane(x), ..) => Ok(Place::Plane(x.to_array())),
             (InteriorPoint::Surface(point), SideGeometry::Space(meshed), Given::Surface(given)) => {
                 let disk = meshed.surface();
-                let mut weights = [0.0; 3];
-                for (i, weight) in disk.corners_in(given, point.triangle()).into_iter().zip(point.weights()) {
-                    weights[i] = weight;
-                }
+                let weights = disk.weights_in(given, point);
                 let triangle = disk.triangle_origins()[point.triangle().index()];
                 Ok(Place::Surface { triangle, weights, position: meshed.position(point).to_array() })
             }
@@ -335,15 +360,25 @@ impl NamedSide {
         }
     }
 
+    /// The outline; `None` of a surface.
+    pub fn outline(&self) -> Option<&outline::Outline> {
+        if let Given::Outline(named) = &self.given { Some(&named.outline) } else { None }
+    }
+
     /// The fraction of the boundary's length given by `option`.
     pub fn anchor(&self, option: &str, anchor: SideAnchor) -> Result<f64, CliError> {
-        match (anchor, self.prepared.geometry()) {
-            (SideAnchor::Fraction(s), _) => Ok(s.rem_euclid(1.0)),
-            (SideAnchor::Plane(anchor), SideGeometry::Plane(domain)) => {
-                Ok(anchor.fraction(domain, self.prepared.curve_boundary().map(Arc::as_ref)))
+        match (anchor, self.prepared.geometry(), &self.given) {
+            (SideAnchor::Fraction(s), ..) => Ok(s.rem_euclid(1.0)),
+            (SideAnchor::Plane(anchor), SideGeometry::Plane(domain), Given::Outline(outline)) => {
+                anchor.fraction(domain, self.prepared.curve_boundary().map(Arc::as_ref), &outline.vertices)
             }
-            (SideAnchor::Surface(anchor), SideGeometry::Space(surface)) => anchor.fraction(option, surface),
-            (SideAnchor::Plane(_) | SideAnchor::Surface(_), _) => {
+            (SideAnchor::Plane(Anchor::Vertex(vertex)), SideGeometry::Space(surface), Given::Surface(given)) => {
+                SurfaceAnchor::Vertex(vertex).fraction(option, given, surface)
+            }
+            (SideAnchor::Surface(anchor), SideGeometry::Space(surface), Given::Surface(given)) => {
+                anchor.fraction(option, given, surface)
+            }
+            (SideAnchor::Plane(_) | SideAnchor::Surface(_), ..) => {
                 Err(other_anchor(&self.title, self.is_surface(), option))
             }
         }

@@ -3,6 +3,7 @@
 use super::accuracy::Accuracy;
 use super::chain::Chain;
 use super::optimization::Optimized;
+use super::output::triangles;
 use super::pins::Pinned;
 use super::side::Placed;
 use crate::conformal::{
@@ -19,12 +20,28 @@ pub struct Counts {
     pub n: usize,
     /// Triangles.
     pub triangles: usize,
+    /// The triangles into which those of a surface are cut for the computation, if they are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub computed_triangles: Option<usize>,
 }
 
 impl Counts {
-    /// The sizes of this side's mesh.
-    pub fn of(side: &PreparedSide) -> Self {
-        Self { m: side.boundary_count() as u32, n: side.interior_count(), triangles: side.triangles().len() }
+    /// The sizes of a side's mesh.
+    pub fn of_side(side: &PreparedSide) -> Self {
+        let (m, triangles) = (side.boundary_count() as u32, side.triangles().len());
+        Self { m, n: side.interior_count(), triangles, computed_triangles: None }
+    }
+
+    /// The sizes of the mapped mesh.
+    pub fn of(map: &ConformalMap) -> Self {
+        let (own, finest) = (Self::of_side(map.mapped()), map.finest().mapped().triangles().len());
+        Self { computed_triangles: Some(finest).filter(|&finest| finest != own.triangles), ..own }
+    }
+
+    /// In words, for the terminal.
+    pub fn said(&self) -> String {
+        let cut = self.computed_triangles.map(|count| format!(" (cut into {count})")).unwrap_or_default();
+        format!("m = {}, n = {}, {}{cut}", self.m, self.n, triangles(self.triangles))
     }
 }
 
@@ -88,7 +105,7 @@ impl Summary {
         Self {
             quality: map.quality(),
             timing_ms: MapTimings { prepare: a.and(b).and(coarse), frame: map.timings() },
-            counts: Counts::of(map.mapped()),
+            counts: Counts::of(map),
             unresolved_area: map.resolution().map(ResolvedBoundary::unresolved_area),
             interpretation,
             accuracy: Accuracy::of(map, unestimated),

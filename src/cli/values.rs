@@ -1,5 +1,6 @@
 //! Values of options that have a grammar of their own, and how they are parsed.
 
+use super::CliError;
 use crate::conformal::{CurveBoundary, MeshedDomain};
 use crate::figures::Figure;
 use crate::geometry::DVec2;
@@ -24,9 +25,11 @@ impl FromStr for Point {
     }
 }
 
-/// A boundary point: `X,Y` or `@S`.
+/// A boundary point: `vK`, `X,Y` or `@S`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Anchor {
+    /// At this point of the outline's file, counted from 0.
+    Vertex(u32),
     /// The boundary point nearest to this point.
     Nearest(DVec2),
     /// At this fraction of the arc length from the outline's first point.
@@ -37,6 +40,12 @@ impl FromStr for Anchor {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
+        if let Some(vertex) = text.strip_prefix('v') {
+            return vertex
+                .parse()
+                .map(Self::Vertex)
+                .map_err(|_| "expected vK, such as v0, for the file's K-th point".into());
+        }
         let Some(fraction) = text.strip_prefix('@') else { return Ok(Self::Nearest(text.parse::<Point>()?.0)) };
         match fraction.parse::<f64>() {
             Ok(s) if s.is_finite() => Ok(Self::Fraction(s)),
@@ -46,16 +55,28 @@ impl FromStr for Anchor {
 }
 
 impl Anchor {
-    /// The fraction of the arc length of the outline, or of its curve.
-    pub fn fraction(self, domain: &MeshedDomain, curve: Option<&CurveBoundary>) -> f64 {
-        match self {
-            Self::Nearest(x) => {
-                let near = domain.samples().fraction_at(domain.samples().nearest(x));
-                curve.map_or(near, |curve| curve.nearest_fraction(x, near))
-            }
-            Self::Fraction(s) => s.rem_euclid(1.0),
-        }
+    /// The fraction of the arc length of the outline, or of its curve. `vertices` are the points of its file. Errors: there
+    /// is no such vertex.
+    pub fn fraction(
+        self,
+        domain: &MeshedDomain,
+        curve: Option<&CurveBoundary>,
+        vertices: &[DVec2],
+    ) -> Result<f64, CliError> {
+        let x = match self {
+            Self::Fraction(s) => return Ok(s.rem_euclid(1.0)),
+            Self::Nearest(x) => x,
+            Self::Vertex(k) => vertex_at(k, vertices)?,
+        };
+        let near = domain.samples().fraction_at(domain.samples().nearest(x));
+        Ok(curve.map_or(near, |curve| curve.nearest_fraction(x, near)))
     }
+}
+
+/// The point of number `k` of an outline's file, counted from 0.
+pub fn vertex_at(k: u32, vertices: &[DVec2]) -> Result<DVec2, CliError> {
+    let missing = || format!("v{k}: the outline has {} points, counted from 0", vertices.len());
+    vertices.get(k as usize).copied().ok_or_else(|| CliError::Input(missing()))
 }
 
 /// A hyperbolic tiling, `P,Q` or `P,Q,STYLE`.

@@ -18,6 +18,7 @@ use super::kernel::KernelScratch;
 use super::map_run::Run;
 use super::map_side::MapSide;
 use super::refinement::Refinement;
+use super::subdivision::Finest;
 use super::through_disk::ThroughDisk;
 use super::{
     BoundaryCorrespondence, CauchyGreenMode, Constraints, Differences, Direction, Extension, ExtensionScratch,
@@ -68,6 +69,8 @@ pub struct ConformalMap {
     pub(super) compared: Option<Box<Differences>>,
     /// Where both boundaries are far from both points, if both measures are from the boundary integral.
     pub(super) far: Vec<FarAnchor>,
+    /// The map on finer meshes that this one is taken from.
+    pub(super) finest: Option<Box<Finest>>,
 }
 
 impl ConformalMap {
@@ -101,6 +104,7 @@ impl ConformalMap {
             resolution: None,
             compared: None,
             far: Vec::new(),
+            finest: None,
         }
     }
 
@@ -180,7 +184,7 @@ impl ConformalMap {
         }
         std::mem::swap(&mut self.correspondence, &mut self.coming);
         (self.settings, self.timings) = (run.settings, run.timings);
-        (self.resolution, self.compared) = (None, None);
+        (self.resolution, self.compared, self.finest) = (None, None, None);
         self.far = run.far;
         self.begin_refinement();
     }

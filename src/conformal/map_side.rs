@@ -5,6 +5,7 @@
 
 use super::kernel::{KernelScratch, advance_kernel, begin_kernel};
 use super::measured::{Measured, Renewal};
+use super::subdivision::Cuts;
 use super::{Constraints, HarmonicMeasure, InteriorPoint, MapError, MeshedDomain, PreparedSide, Side, SideGeometry};
 use crate::boundary_integral::BoundaryIntegralError;
 use crate::geometry::{DVec2, DVec3};
@@ -73,6 +74,23 @@ impl MapSide {
         }
         (refined.point, refined.anchor) = (known.point, known.anchor);
         Ok(refined)
+    }
+
+    /// The side `finer` on the mesh of which its own is cut so often, with the measure at its vertices.
+    pub fn on_own_mesh(
+        own: &Arc<PreparedSide>,
+        finer: &Self,
+        (point, anchor): (InteriorPoint, f64),
+        cuts: Cuts,
+    ) -> Self {
+        let m = own.boundary_count();
+        let Measured { kernel, measure, .. } = &finer.measured;
+        let Some(located) = point.on_surface() else { return finer.copied() };
+        let kernel: Vec<f64> = (0..m).map(|k| kernel[cuts.vertex(k, m)]).collect();
+        let from = cuts.coarser_on_boundary(measure.anchor());
+        let measure = HarmonicMeasure::from_values(from, m, |k| kernel[k], |k| measure.at_vertex(cuts.vertex(k, m)));
+        let measured = Measured::known(kernel, measure);
+        Self { prepared: Arc::clone(own), point: Some(point), located, anchor, measured }
     }
 
     /// The interior point and the anchor of the last complete update; `None` before it.

@@ -7,7 +7,8 @@
 
 use super::curved::{CurveMeasure, match_sharply, nearer};
 use super::far_anchors::FarAnchor;
-use super::{HarmonicMeasure, Side};
+use super::subdivision::Cuts;
+use super::{HarmonicMeasure, PerSide, Side};
 use crate::geometry::{CurvePoint, DVec2};
 use crate::outline::{BoundaryPoint, BoundarySamples};
 
@@ -70,6 +71,16 @@ impl BoundaryCorrespondence {
                     (self.points[k], self.exact[k]) = (matched.points[k], matched.exact[k]);
                 }
             }
+        }
+    }
+
+    /// The images of the `m` vertices of the mapped side's own mesh, on that of the other one.
+    pub(super) fn at_own_vertices(&self, m: usize, cuts: PerSide<Cuts>, mapped: Side) -> Self {
+        let (here, there) = (cuts[mapped], cuts[mapped.other()]);
+        let vertices = || (0..m).map(|k| here.vertex(k, m));
+        Self {
+            points: vertices().map(|v| there.coarser_on_boundary(self.points[v])).collect(),
+            exact: vertices().filter_map(|v| self.on_curve(v)).collect(),
         }
     }
 

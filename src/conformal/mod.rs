@@ -19,6 +19,7 @@
 //! | the scale of the map to the disk, without crowding | `disk_scale` | |
 //! | images on another surface, through the disk | `through_disk` | |
 //! | the mapped mesh refined where images are long | `resolution` | |
+//! | surfaces computed on finer meshes than their own | `subdivision` | |
 //! | the constraints of the map through three boundary pairs, or nearest to more | `pins` | |
 //! | the map of four marked boundary points onto the corners of a rectangle, orthogonal grids | `quadrilateral` | |
 //! | angle and area distortion | `distortion`, `histogram` | section 5.1 |
@@ -68,6 +69,7 @@ mod refinement;
 mod resolution;
 mod stage;
 mod stencil;
+mod subdivision;
 mod surface;
 mod system;
 mod table;
@@ -115,6 +117,7 @@ pub use quadrilateral::{
 };
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
 pub use resolution::{Refining, Resampled, ResolveError, ResolvedBoundary};
+pub use subdivision::{MOST_TRIANGLES, Subdivided, SubdivisionError};
 pub use surface::MeshedSurface;
 pub use table::{HarmonicTable, TableError};
 pub use through_disk::SurfaceImages;

@@ -6,6 +6,7 @@
 //! triangle to triangle locates it, starting near a neighbor; a vertex that no walk locates is a stray, and goes to the
 //! nearest point in the disk.
 
+use super::subdivision::Cuts;
 use super::{BoundaryCorrespondence, MeshedSurface, PerSide, Side};
 use crate::geometry::{DVec2, DVec3};
 use crate::laplace::Deadline;
@@ -35,6 +36,14 @@ impl SurfaceImages {
     /// The positions of the images in space.
     pub fn places(&self) -> &[DVec3] {
         &self.places
+    }
+
+    /// The images of these vertices, in the other surface's own mesh.
+    pub(super) fn at_own_vertices(&self, vertices: &[usize], cuts: Cuts) -> Self {
+        Self {
+            points: vertices.iter().map(|&v| cuts.coarser(self.points[v])).collect(),
+            places: vertices.iter().map(|&v| self.places[v]).collect(),
+        }
     }
 }
 

@@ -36,7 +36,7 @@ pub use bench::{
 pub use convergence::{ConvergenceRow, ConvergenceStudy, SecondMap, fitted_order};
 pub use crowding::{BoundaryMap, CrowdingStudy, Method};
 pub use disk_kernel::DiskKernelStudy;
-pub use ladder::{Errors, ImageOf, LadderMethod, LadderRow, LadderShape, Reference, Rung};
+pub use ladder::{Errors, ImageOf, LadderMethod, LadderRow, LadderShape, Reference, Rung, coast};
 pub use moebius::{GRID_CIRCLES, GRID_RAYS, MoebiusStudy, grid_point};
 pub use scenes::{Scene, SceneLabel};
 pub use surfaces::SurfaceStudy;

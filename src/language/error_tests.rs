@@ -6,7 +6,7 @@ use crate::boundary_integral::BoundaryIntegralError;
 use crate::conformal::{Marks, PrepareSettings, QuadrilateralError, Side, rectangle_corners};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::mesh::{TriangleId, VertexId};
-use crate::outline::{Sampling, parse, sample};
+use crate::outline::{OutlineNote, Reading, Sampling, parse, parse_as, parse_geo_rings, sample};
 use crate::projection::{ProjectionError, Region};
 use crate::session::file::FileError;
 use crate::session::lesson::{LessonError, StepError};
@@ -124,6 +124,8 @@ fn files_that_are_no_outlines() {
         ("a.csv", "0,0\n2,0\n1,0\n1,3\n"),
         ("a.csv", "0,0\n1e300,0\n0,1\n"),
         ("a.csv", "0,0\n1e-300,0\n0,1e-300\n"),
+        ("a.csv", "0,0\n1,0\nnot a row\n1,1\n"),
+        ("a.json", "{\"x\": [1, 2], \"y\": [1]}"),
         ("a.txt", "0 0 1 0 1 1 2"),
         ("a.txt", " "),
         ("a.json", "[[0,0],[1,\"b\"],[1,1]]"),
@@ -142,7 +144,10 @@ fn files_that_are_no_outlines() {
         ("a.json", "{\"type\": \"Circle\"}"),
         ("a.json", "{\"type\": \"FeatureCollection\", \"features\": [{}]}"),
         ("a.json", "{\"type\": \"Point\"}"),
-        ("a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M 0 0 L 1 0 L 1 1\"/></svg>"),
+        (
+            "a.svg",
+            "<svg xmlns=\"http://www.w3.org/2000/svg\"><path fill=\"none\" stroke=\"red\" d=\"M 0 0 L 1 0 L 1 1\"/></svg>",
+        ),
         ("a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>"),
     ];
     for (name, text) in files {
@@ -150,7 +155,17 @@ fn files_that_are_no_outlines() {
         german(&error);
         check(&key::about(name, message(&error)), false);
     }
-    german(&parse("a.csv", b"0,0\n1,\xff\n").unwrap_err());
+    german(&parse("a.csv", b"0,0\n1,\xff\x01\n").unwrap_err());
+    let part = |text: &str| parse_as("a", text.as_bytes(), &Reading { repair: false, part: Some("b") }).unwrap_err();
+    let shapes = |ids: [&str; 2]| {
+        let paths = ids.map(|id| format!("<path {id} d=\"M0 0h9v9z\"/>")).concat();
+        format!("<svg xmlns=\"http://www.w3.org/2000/svg\">{paths}</svg>")
+    };
+    german(&part("0,0\n1,0\n0,1\n"));
+    german(&part(&shapes(["", ""])));
+    german(&part(&shapes(["id=\"a\"", ""])));
+    let metres = "{\"type\": \"Polygon\", \"crs\": {\"properties\": {\"name\": \"EPSG:25832\"}}, \"coordinates\": []}";
+    german(&parse_geo_rings(metres.as_bytes(), &Reading::default()).unwrap_err());
     let nested = format!("<svg xmlns=\"http://www.w3.org/2000/svg\">{}{}</svg>", "<g>".repeat(99), "</g>".repeat(99));
     german(&parse("a.svg", nested.as_bytes()).unwrap_err());
     for (name, text) in [("a.json", "[[0,0],"), ("a.svg", "<svg><g></svg>")] {
@@ -169,6 +184,13 @@ fn notes_on_outlines() {
         files.iter().flat_map(|text| parse("a.json", text.as_bytes()).unwrap().notes().to_vec()).collect();
     assert_eq!(notes.len(), 5, "{notes:?}");
     notes.iter().for_each(german);
+    for name in [None, Some("body".to_owned())] {
+        german(&OutlineNote::ShapeTaken { number: 2, count: 3, name });
+    }
+    for count in [1, 2] {
+        german(&OutlineNote::RepeatedPointsDropped { count });
+        german(&OutlineNote::ColumnsDropped { columns: count });
+    }
 }
 
 #[test]
@@ -208,7 +230,7 @@ fn files_that_are_no_surfaces() {
         ("a.glb", "glTF\u{3}\0\0\0".into()),
         ("a.glb", "glTF\u{2}\0\0\0\0\0\0\0".into()),
         ("a.glb", "glTF\u{2}\0\0\0\0\0\0\0\u{9}\0\0\0".into()),
-        ("a.gltf", format!("{asset}\"extensionsRequired\": [\"KHR_mesh_quantization\"]}}")),
+        ("a.gltf", format!("{asset}\"extensionsRequired\": [\"KHR_draco_mesh_compression\"]}}")),
         ("a.gltf", format!("{asset}\"scene\": 4}}")),
         ("a.gltf", format!("{asset}\"nodes\": [{{\"mesh\": 3}}]}}")),
         ("a.gltf", format!("{asset}\"scenes\": [{{\"nodes\": [0, 0]}}], \"nodes\": [{{}}]}}")),
@@ -398,6 +420,10 @@ fn counts_of_one() {
             message(&TopologyError::Genus { genus: count }),
             message(&RepairNote::DroppedTriangles { count }),
             message(&RepairNote::DroppedDuplicates { count }),
+            message(&RepairNote::MergedVertices { count }),
+            message(&RepairNote::FlippedFlat { count }),
+            message(&RepairNote::SplitVertices { count }),
+            message(&RepairNote::Joined { count }),
             message(&RepairNote::Oriented { count }),
             message(&RepairNote::KeptLargest { components: 3, dropped: count }),
             message(&RepairNote::DroppedVertices { count }),

@@ -92,6 +92,9 @@ pub fn ladder_shape(shape: LadderShape) -> Message {
         LadderShape::VShape => preset(Preset::VShape).into(),
         LadderShape::Blob => preset(Preset::Blob).into(),
         LadderShape::Quintic => shape.title().into(),
+        LadderShape::Notch => key::notch_1().into(),
+        LadderShape::Clef => key::clef_200().into(),
+        LadderShape::Coast => key::coast_192().into(),
     }
 }
 

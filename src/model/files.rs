@@ -34,7 +34,7 @@ pub enum FilePurpose {
 /// The file name endings of images.
 pub const IMAGE_ENDINGS: [&str; 3] = ["png", "jpg", "jpeg"];
 /// The file name endings of outlines.
-const OUTLINE_ENDINGS: [&str; 7] = ["json", "geojson", "svg", "csv", "txt", "tsv", "xy"];
+const OUTLINE_ENDINGS: [&str; 9] = ["json", "geojson", "svg", "csv", "txt", "tsv", "xy", "dat", "wkt"];
 /// The file name endings of surfaces.
 pub const SURFACE_ENDINGS: [&str; 6] = crate::surface::ENDINGS;
 

@@ -9,7 +9,7 @@ use super::corners::{corners, polygon_corners};
 use super::crossing::first_crossing;
 use super::smooth::{StaysPolygon, smooth_curve};
 use super::{Preset, Segment, flattened};
-use crate::geometry::{Curve, CurveError, CurvePoint, DVec2, Junction, MAX_POINTS, SimplePolygon};
+use crate::geometry::{Curve, CurveError, CurvePoint, DVec2, Junction, MAX_POINTS, Piece, SimplePolygon};
 
 /// What is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -115,14 +115,15 @@ impl CurveForm {
     /// The curve of the polygon. Errors: the polygon's edges themselves form no [`Curve`], as in a spike narrower than
     /// 1e-5. Cost O(n log n).
     pub fn curve(&self, polygon: &SimplePolygon) -> Result<OutlineCurve, CurveError> {
+        let one_each = |curve: Curve| (vec![1; curve.pieces().len()], curve);
         let smooth = match (self.interpretation, &self.source) {
             (Interpretation::Polygon, _) => return OutlineCurve::straight(polygon, None),
-            (_, CurveSource::Preset(preset)) => preset.curve().map_err(StaysPolygon::from),
+            (_, CurveSource::Preset(preset)) => preset.curve().map(one_each).map_err(StaysPolygon::from),
             (_, CurveSource::Segments(segments)) => path_curve(segments),
-            (_, CurveSource::Points) => self.through_points(polygon),
+            (_, CurveSource::Points) => self.through_points(polygon).map(one_each),
         };
         match smooth {
-            Ok(curve) => Ok(OutlineCurve { curve, is_smooth: true, stays: None }),
+            Ok((sides, curve)) => Ok(OutlineCurve { curve, sides, is_smooth: true, stays: None }),
             Err(stays) => OutlineCurve::straight(polygon, Some(stays)),
         }
     }
@@ -149,13 +150,24 @@ impl CurveForm {
     }
 }
 
-/// The curve of a path, unless it crosses itself.
-fn path_curve(segments: &[Segment]) -> Result<Curve, StaysPolygon> {
-    let curve = Curve::new(segments.iter().map(|&segment| segment.into()).collect())?;
+/// The curve of a path and how many of its pieces each segment has, unless it crosses itself.
+fn path_curve(segments: &[Segment]) -> Result<(Vec<usize>, Curve), StaysPolygon> {
+    let pieces: Vec<Vec<Piece>> = segments.iter().map(Segment::pieces).collect();
+    let mut curve = Curve::new(pieces.concat())?;
+    let mut start = 0;
+    for count in pieces.iter().map(Vec::len) {
+        for k in start + 1..start + count {
+            // parts of one Bézier curve
+            if curve.junctions()[k] == Junction::Smooth {
+                curve = curve.analytic_at(k)?;
+            }
+        }
+        start += count;
+    }
     let parts: Vec<[DVec2; 4]> = segments.iter().flat_map(Segment::cubics).collect();
     match first_crossing(&parts) {
         Some((_, j)) => Err(StaysPolygon::PathCrossesItself { at: parts[j][0] }),
-        None => Ok(curve),
+        None => Ok((pieces.iter().map(Vec::len).collect(), curve)),
     }
 }
 
@@ -181,13 +193,15 @@ pub struct Interpreted {
 #[derive(Debug, Clone)]
 pub struct OutlineCurve {
     curve: Curve,
+    sides: Vec<usize>,
     is_smooth: bool,
     stays: Option<StaysPolygon>,
 }
 
 impl OutlineCurve {
     fn straight(polygon: &SimplePolygon, stays: Option<StaysPolygon>) -> Result<Self, CurveError> {
-        Ok(Self { curve: Curve::from_polygon(polygon)?, is_smooth: false, stays })
+        let curve = Curve::from_polygon(polygon)?;
+        Ok(Self { sides: vec![1; curve.pieces().len()], curve, is_smooth: false, stays })
     }
 
     /// The curve.
@@ -198,6 +212,11 @@ impl OutlineCurve {
     /// The curve.
     pub fn into_curve(self) -> Curve {
         self.curve
+    }
+
+    /// The number of pieces of each side: of each segment of a path; otherwise a piece is a side.
+    pub fn sides(&self) -> &[usize] {
+        &self.sides
     }
 
     /// Whether it is more than the polygon.

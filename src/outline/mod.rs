@@ -25,8 +25,8 @@ pub use flatten::flattened;
 pub use interpretation::{CurveForm, CurveSource, Interpretation, Interpreted, LEAST_SMOOTH, OutlineCurve};
 #[cfg(feature = "io")]
 pub use parse::{
-    GeoJsonFault, GeoRing, JsonFault, JsonKind, MAX_BYTES, OutlineError, PointFault, SvgFault, parse, parse_geo_rings,
-    parse_points, parse_repaired,
+    GeoJsonFault, GeoRing, JsonFault, JsonKind, MAX_BYTES, OutlineError, PointFault, Reading, SvgFault, parse,
+    parse_as, parse_geo_rings, parse_points, parse_with_vertices,
 };
 pub use preset::{Preset, UnknownPreset};
 pub use sampling::{BoundaryPoint, BoundarySamples, BrokenSamples, MAX_SAMPLES, Sampling, SamplingError, sample};
@@ -118,6 +118,25 @@ impl Outline {
 pub enum OutlineNote {
     /// The points were clockwise and have been reversed.
     Reversed,
+    /// Of several shapes of a drawing this one was taken.
+    ShapeTaken {
+        /// Its number in the order of the drawing, from 1.
+        number: usize,
+        /// How many shapes there are.
+        count: usize,
+        /// The `id` of its path.
+        name: Option<String>,
+    },
+    /// Points equal to the one before them were dropped.
+    RepeatedPointsDropped {
+        /// Number of points dropped.
+        count: usize,
+    },
+    /// Columns of a table beside x and y were left out.
+    ColumnsDropped {
+        /// Number of columns.
+        columns: usize,
+    },
     /// There were several rings; the largest was taken.
     LargestOf {
         /// Number of rings in the file.
@@ -143,6 +162,20 @@ impl fmt::Display for OutlineNote {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Reversed => f.write_str("The points ran clockwise and were reversed."),
+            Self::ShapeTaken { number, count, name: None } => write!(f, "Shape {number} of {count} was taken."),
+            Self::ShapeTaken { number, count, name: Some(name) } => {
+                write!(f, "Shape {number} of {count} was taken, \"{name}\".")
+            }
+            Self::RepeatedPointsDropped { count } => f.write_str(&counted!(
+                *count,
+                "A point equal to the one before it was dropped.",
+                "{count} points equal to the one before them were dropped."
+            )),
+            Self::ColumnsDropped { columns } => f.write_str(&counted!(
+                *columns,
+                "A column beside x and y was left out.",
+                "{columns} columns beside x and y were left out."
+            )),
             Self::LargestOf { rings } => write!(f, "Of {rings} closed rings, the largest was taken."),
             Self::ClosingPointDropped => f.write_str("The last point repeated the first one and was dropped."),
             Self::Repaired { dropped } => f.write_str(&counted!(

@@ -28,7 +28,9 @@ impl fmt::Display for Contact {
 #[non_exhaustive]
 pub enum ProjectionError {
     /// A latitude beyond the poles.
-    #[error("{place} has the latitude {latitude}°: latitudes are from −90° to 90° (a point is [longitude, latitude])")]
+    #[error(
+        "{place} has the latitude {latitude}°: latitudes are from −90° to 90° (a point is [longitude, latitude] in degrees; convert meters first)"
+    )]
     Latitude {
         /// The point.
         place: Place,
@@ -36,7 +38,9 @@ pub enum ProjectionError {
         latitude: f64,
     },
     /// A longitude beyond two turns.
-    #[error("{place} has the longitude {longitude}°: longitudes are from −180° to 180° (up to ±360° is accepted)")]
+    #[error(
+        "{place} has the longitude {longitude}°: longitudes are from −180° to 180° (up to ±360° is accepted; convert meters first)"
+    )]
     Longitude {
         /// The point.
         place: Place,

@@ -39,7 +39,8 @@ impl Precision {
 }
 
 /// A function with this error, in extents, or less, of which no digit is left without its poles inside, is fitted again to
-/// a digit less: it has followed the rounding of the values next to a corner.
+/// a digit less: it has followed the rounding of the values next to a corner. A coarser fit is taken where it comes within a
+/// digit of its tolerance; else the first one says that there is none.
 const BROKEN: f64 = 0.01;
 
 /// A boundary whose pairs are rounded to single precision.

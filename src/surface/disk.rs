@@ -5,7 +5,7 @@ use super::repair::{ADDED, RepairNote, Repaired, repair};
 use super::survey::connectivity;
 use super::{Surface, TopologyError};
 use crate::geometry::DVec3;
-use crate::mesh::{NO_TRIANGLE, TriMesh, TriangleId, VertexId};
+use crate::mesh::{BarycentricPoint, NO_TRIANGLE, TriMesh, TriangleId, VertexId};
 
 /// A disk in space: one boundary loop, no handles, consistently oriented, no flat triangles.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,15 +85,27 @@ impl SurfaceMesh {
     }
 
     /// For each corner of a triangle, which corner of the same triangle it is in `surface`, from which this mesh was
-    /// made: repairs reverse some triangles.
-    pub fn corners_in(&self, surface: &Surface, triangle: TriangleId) -> [usize; 3] {
+    /// made: repairs reverse some triangles. `None` where they gave it other corners.
+    pub fn corners_in(&self, surface: &Surface, triangle: TriangleId) -> Option<[usize; 3]> {
         let corners = self.mesh.corners(triangle).map(|v| self.vertex_origins[v.index()]);
-        let given = surface.triangles.get(self.triangle_origins[triangle.index()] as usize);
-        std::array::from_fn(|i| given.and_then(|given| given.iter().position(|&v| v == corners[i])).unwrap_or(i))
+        let given = surface.triangles.get(self.triangle_origins[triangle.index()] as usize)?;
+        let [a, b, c] = corners.map(|corner| given.iter().position(|&v| v == corner));
+        Some([a?, b?, c?])
+    }
+
+    /// The weights of a point at the corners of its triangle in `surface`; where repairs gave this other corners, at its own.
+    pub fn weights_in(&self, surface: &Surface, point: BarycentricPoint) -> [f64; 3] {
+        let mut weights = [0.0; 3];
+        let corners = self.corners_in(surface, point.triangle()).unwrap_or([0, 1, 2]);
+        for (i, weight) in corners.into_iter().zip(point.weights()) {
+            weights[i] = weight;
+        }
+        weights
     }
 
     fn ordered(repaired: Repaired, before: &[DVec3]) -> Result<Self, TopologyError> {
-        let Repaired { surface, vertex_origins, triangle_origins, notes: repairs } = repaired;
+        let Repaired { surface, vertex_origins, triangle_origins, split, notes: repairs } = repaired;
+        let before = [before, &split].concat();
         let found = connectivity(&surface)?;
         found.check_disk(&surface)?;
         let boundary = found.loops.first().map(Vec::as_slice).unwrap_or_default();

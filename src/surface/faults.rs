@@ -88,7 +88,7 @@ fn of_triangles(surface: &Surface, is_wrong: impl Fn(&[u32; 3]) -> bool) -> Faul
 
 /// The edges of all components but the largest.
 fn outside_of_largest(surface: &Surface) -> Faults {
-    let (component, sizes) = components(&table(surface).twins());
+    let (component, sizes) = components(&table(surface), surface.triangles.len());
     let largest = (0_u32..).zip(&sizes).max_by_key(|(_, size)| **size).map(|(number, _)| number);
     of_list(surface, (0..component.len()).filter(|&t| Some(component[t]) != largest))
 }

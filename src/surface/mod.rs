@@ -24,6 +24,7 @@ mod fill;
 mod flat_filling;
 mod head;
 mod holes;
+mod mend;
 mod nearest;
 mod note;
 mod orient;
@@ -47,8 +48,8 @@ pub use note::{Place, SurfaceNote};
 pub use preset::{SurfacePreset, UnknownSurfacePreset};
 #[cfg(feature = "io")]
 pub use read::{
-    ENDINGS, Fault, Item, MAX_BYTES, MAX_CORNERS, MAX_TRIANGLES, SurfaceError, Unsupported, check_size, names_format,
-    read_surface,
+    ENDINGS, Fault, Item, MAX_BYTES, MAX_TRIANGLES, SurfaceError, Unsupported, check_size, names_format, read_surface,
+    read_surface_beside,
 };
 pub use repair::RepairNote;
 pub use survey::{MAX_COORDINATE, MIN_EXTENT};
@@ -68,12 +69,14 @@ pub struct Surface {
     vertices: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     notes: Vec<SurfaceNote>,
+    /// Of each vertex of the file the one into which it was merged, if any was.
+    merged: Option<Vec<u32>>,
 }
 
 impl Surface {
     /// A surface from positions and vertex triples (indices into `vertices`, counted from 0), without notes.
     pub fn new(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {
-        Self { vertices, triangles, notes: Vec::new() }
+        Self { vertices, triangles, notes: Vec::new(), merged: None }
     }
 
     /// The same surface with the notes of its reader in place of those it had.
@@ -90,6 +93,19 @@ impl Surface {
     /// Vertex triples; the triangles of one polygon of the file are consecutive.
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
+    }
+
+    /// The index of the vertex of number `number` in the file, counted from 0: that into which it was merged.
+    pub fn vertex_in_file(&self, number: u32) -> Option<u32> {
+        match &self.merged {
+            Some(merged) => merged.get(number as usize).copied(),
+            None => ((number as usize) < self.vertices.len()).then_some(number),
+        }
+    }
+
+    /// The number of vertices of the file.
+    pub fn count_in_file(&self) -> usize {
+        self.merged.as_ref().map_or(self.vertices.len(), Vec::len)
     }
 
     /// Changes that the reader made to the file's contents.

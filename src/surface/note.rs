@@ -36,13 +36,33 @@ pub enum SurfaceNote {
         /// Number of faces in the file.
         faces: usize,
     },
-    /// Vertices at exactly the same position were merged (in formats that repeat them).
+    /// Vertices at the same position were merged, exactly or within a billionth of the surface's size.
     #[error("{before} corners at {after} places were made {after} vertices")]
     Welded {
         /// Number of vertices in the file.
         before: usize,
         /// Number of vertices after merging.
         after: usize,
+    },
+    /// Vertices at the position of others stay: merged, the surface would be no disk.
+    #[error("{}", counted!(
+        *vertices,
+        "1 vertex stays apart from another one at the same place: joined, the surface would be no disk",
+        "{vertices} vertices stay apart from others at the same places: joined, the surface would be no disk"
+    ))]
+    LeftApart {
+        /// Number of vertices that merging would have removed.
+        vertices: usize,
+    },
+    /// Faces with fewer than three corners were dropped.
+    #[error("{}", counted!(
+        *count,
+        "1 face with fewer than 3 corners was dropped",
+        "{count} faces with fewer than 3 corners were dropped"
+    ))]
+    DroppedFaces {
+        /// Number of faces dropped.
+        count: usize,
     },
     /// The file continues after everything that its counts announce.
     #[error("{place}: more follows than the file says it has; it was passed over")]

@@ -1,17 +1,21 @@
 //! Repairs that are safe, in a fixed order, each reported in a [`RepairNote`].
 //!
-//! Triangles that name a vertex twice are dropped, and those with the corners of an earlier one; the rest is oriented
-//! consistently, as most of its triangles are; the component with the most triangles is kept; vertices
-//! in no triangle are dropped; all boundary loops but one, unless asked otherwise the longest, are filled. Faults whose repair would
-//! need a guess (edges of three triangles, vertices that join parts, flat triangles, holes without area) stay errors.
+//! Corners of a triangle at one place are merged; triangles that name a vertex twice are dropped, and those with the corners
+//! of an earlier one; the component with the most triangles is kept, so that faults of others do not matter; the rest is
+//! oriented consistently, as most of its triangles are; flat triangles have their longest edge flipped; vertices that join
+//! fans of triangles are split; vertices in no triangle are dropped; all boundary loops but one, unless asked otherwise the
+//! longest, are filled, or joined if they have no area. Faults whose repair would need a guess (edges of three triangles)
+//! stay errors.
 
 use super::duplicates::duplicates;
 use super::edges::EdgeTable;
 use super::fill::fill_holes;
+use super::mend::{flip_flat, join_flat, merge_coincident, split_pinched};
 use super::orient::turned;
 use super::survey::{check_edges, check_values, components, connectivity, repeats, report};
 use super::{LoopReport, Surface, TopologyError};
 use crate::counted::counted;
+use crate::geometry::DVec3;
 
 /// The origin of a vertex or triangle that a repair has added.
 pub(super) const ADDED: u32 = u32::MAX;
@@ -29,6 +33,42 @@ pub enum RepairNote {
     ))]
     DroppedTriangles {
         /// Number of triangles dropped.
+        count: usize,
+    },
+    /// Corners of a triangle at one place were merged.
+    #[error("{}", counted!(
+        *count,
+        "1 vertex was merged into its neighbor at the same place",
+        "{count} vertices were merged into their neighbors at the same place"
+    ))]
+    MergedVertices {
+        /// Number of vertices that are no longer used.
+        count: usize,
+    },
+    /// Triangles without area had their longest edge flipped, or were dropped at the boundary.
+    #[error("{}", counted!(
+        *count,
+        "1 triangle without area had its longest edge flipped",
+        "{count} triangles without area had their longest edge flipped"
+    ))]
+    FlippedFlat {
+        /// Number of triangles.
+        count: usize,
+    },
+    /// Vertices that join fans of triangles were split.
+    #[error("{}", counted!(
+        *count,
+        "1 vertex was added where parts of the surface met in one",
+        "{count} vertices were added where parts of the surface met in one"
+    ))]
+    SplitVertices {
+        /// Number of vertices added.
+        count: usize,
+    },
+    /// Holes without area were joined: a triangle was divided at vertices on its edge.
+    #[error("{}", counted!(*count, "1 gap without area was joined", "{count} gaps without area were joined"))]
+    Joined {
+        /// Number of holes.
         count: usize,
     },
     /// Triangles with the corners of an earlier one were dropped.
@@ -99,6 +139,8 @@ pub(super) struct Repaired {
     pub(super) vertex_origins: Vec<u32>,
     /// For each triangle its index before, or [`ADDED`].
     pub(super) triangle_origins: Vec<u32>,
+    /// The positions of vertices that were added to triangles of the surface; as origins they follow those before.
+    pub(super) split: Vec<DVec3>,
     /// The repairs made; empty if none was needed.
     pub(super) notes: Vec<RepairNote>,
 }
@@ -108,11 +150,11 @@ impl Repaired {
     pub(super) fn untouched(surface: Surface) -> Self {
         let vertex_origins = (0..surface.vertices.len() as u32).collect();
         let triangle_origins = (0..surface.triangles.len() as u32).collect();
-        Self { surface, vertex_origins, triangle_origins, notes: Vec::new() }
+        Self { surface, vertex_origins, triangle_origins, split: Vec::new(), notes: Vec::new() }
     }
 
     /// Keeps the triangles for which `keep` holds, and returns how many were dropped.
-    fn retain(&mut self, keep: impl Fn(usize, &[u32; 3]) -> bool) -> usize {
+    pub(super) fn retain(&mut self, keep: impl Fn(usize, &[u32; 3]) -> bool) -> usize {
         let before = self.surface.triangles.len();
         let kept: Vec<bool> = self.surface.triangles.iter().enumerate().map(|(t, corners)| keep(t, corners)).collect();
         let mut flags = kept.iter();
@@ -128,14 +170,16 @@ impl Repaired {
 pub(super) fn repair(surface: Surface, outline: usize) -> Result<Repaired, TopologyError> {
     check_values(&surface)?;
     let mut repaired = Repaired::untouched(surface);
+    merge_coincident(&mut repaired);
     let count = repaired.retain(|_, corners| !repeats(corners));
     if count > 0 {
         repaired.notes.push(RepairNote::DroppedTriangles { count });
     }
-    let edges = drop_duplicates(&mut repaired);
-    orient(&mut repaired, &edges)?;
-    drop(edges);
+    drop_duplicates(&mut repaired);
     keep_largest(&mut repaired);
+    orient(&mut repaired)?;
+    flip_flat(&mut repaired);
+    split_pinched(&mut repaired);
     drop_unreferenced(&mut repaired);
     let mut loops = connectivity(&repaired.surface)?.loops;
     if outline > 0 && outline >= loops.len() {
@@ -145,36 +189,39 @@ pub(super) fn repair(surface: Surface, outline: usize) -> Result<Repaired, Topol
     if outline > 0 {
         loops[..=outline].rotate_right(1);
     }
+    join_flat(&mut repaired, &mut loops);
     fill_holes(&mut repaired, &loops)?;
     Ok(repaired)
 }
 
-/// Of several triangles with the same corners keeps the first; returns the edge table of the kept triangles.
-fn drop_duplicates(repaired: &mut Repaired) -> EdgeTable {
-    let edges_of = |surface: &Surface| EdgeTable::new(&surface.triangles, surface.vertices.len());
-    let edges = edges_of(&repaired.surface);
-    let found = duplicates(&repaired.surface.triangles, &edges);
+fn edges_of(surface: &Surface) -> EdgeTable {
+    EdgeTable::new(&surface.triangles, surface.vertices.len())
+}
+
+/// Of several triangles with the same corners keeps the first.
+fn drop_duplicates(repaired: &mut Repaired) {
+    let found = duplicates(&repaired.surface.triangles, &edges_of(&repaired.surface));
     if found.is_empty() {
-        return edges;
+        return;
     }
     // `found` is sorted by its first column, the duplicates
     let is_found = |t: usize| found.binary_search_by_key(&(t as u32), |&[triangle, _]| triangle).is_ok();
     let count = repaired.retain(|t, _| !is_found(t));
     repaired.notes.push(RepairNote::DroppedDuplicates { count });
-    edges_of(&repaired.surface)
 }
 
-fn twins_of(surface: &Surface, edges: &EdgeTable) -> Result<Vec<u32>, TopologyError> {
+fn twins_of(surface: &Surface) -> Result<Vec<u32>, TopologyError> {
     if surface.triangles.is_empty() {
         return Err(TopologyError::Empty);
     }
-    check_edges(&surface.triangles, edges)?;
+    let edges = edges_of(surface);
+    check_edges(&surface.triangles, &edges)?;
     Ok(edges.twins())
 }
 
 /// Reverses triangles until neighbors agree; in each component, the minority.
-fn orient(repaired: &mut Repaired, edges: &EdgeTable) -> Result<(), TopologyError> {
-    let twins = twins_of(&repaired.surface, edges)?;
+fn orient(repaired: &mut Repaired) -> Result<(), TopologyError> {
+    let twins = twins_of(&repaired.surface)?;
     let triangles = &mut repaired.surface.triangles;
     let turned = turned(triangles, &twins)?;
     for (corners, _) in triangles.iter_mut().zip(&turned).filter(|(_, turned)| **turned) {
@@ -189,10 +236,8 @@ fn orient(repaired: &mut Repaired, edges: &EdgeTable) -> Result<(), TopologyErro
 
 /// Keeps the component with the most triangles, the first of equally large ones.
 fn keep_largest(repaired: &mut Repaired) {
-    // reversing triangles has renumbered their half-edges
     let surface = &repaired.surface;
-    let twins = EdgeTable::new(&surface.triangles, surface.vertices.len()).twins();
-    let (component, sizes) = components(&twins);
+    let (component, sizes) = components(&edges_of(surface), surface.triangles.len());
     let largest = (0..sizes.len()).max_by_key(|&k| (sizes[k], std::cmp::Reverse(k))).unwrap_or(0);
     let dropped = repaired.retain(|t, _| component[t] as usize == largest);
     if dropped > 0 {

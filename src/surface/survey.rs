@@ -139,54 +139,68 @@ pub(super) fn fans(triangles: &[[u32; 3]], twins: &[u32], vertices: usize) -> Ve
     let mut fans = vec![0_u32; vertices];
     let mut visited = vec![false; twins.len()];
     for corner in 0..twins.len() {
-        if visited[corner] {
-            continue;
-        }
-        fans[triangles[corner / 3][corner % 3] as usize] += 1;
-        // corner i lies between the half-edges i+1 (behind it) and i+2 (before it)
-        for turn in [1, 2] {
-            let mut at = corner;
-            loop {
-                visited[at] = true;
-                let twin = twins[3 * (at / 3) + (at + turn) % 3];
-                if twin == NO_TWIN {
-                    break;
-                }
-                // across half-edge i+1, the same vertex is the corner i+1 of the other triangle, and vice versa
-                at = 3 * (twin as usize / 3) + (twin as usize + turn) % 3;
-                if visited[at] {
-                    break;
-                }
-            }
+        if !visited[corner] {
+            fans[triangles[corner / 3][corner % 3] as usize] += 1;
+            visit_fan(twins, corner, &mut visited, &mut |_| {});
         }
     }
     fans
 }
 
-/// Numbers the connected components; triangles that share only a vertex are in different ones.
-pub(super) fn components(twins: &[u32]) -> (Vec<u32>, Vec<usize>) {
-    let mut component = vec![UNNUMBERED; twins.len() / 3];
-    let (mut sizes, mut pending) = (Vec::new(), Vec::new());
-    for start in 0..component.len() {
-        if component[start] != UNNUMBERED {
-            continue;
-        }
-        let number = sizes.len() as u32;
-        component[start] = number;
-        pending.push(start);
-        let mut size = 0;
-        while let Some(t) = pending.pop() {
-            size += 1;
-            for &twin in &twins[3 * t..3 * t + 3] {
-                if twin != NO_TWIN && component[twin as usize / 3] == UNNUMBERED {
-                    component[twin as usize / 3] = number;
-                    pending.push(twin as usize / 3);
-                }
+/// Visits the corners around the vertex of `corner` that are reached across edges, this one first.
+pub(super) fn visit_fan(twins: &[u32], corner: usize, visited: &mut [bool], visit: &mut dyn FnMut(usize)) {
+    visited[corner] = true;
+    visit(corner);
+    // corner i lies between the half-edges i+1 (behind it) and i+2 (before it)
+    for turn in [1, 2] {
+        let mut at = corner;
+        loop {
+            let twin = twins[3 * (at / 3) + (at + turn) % 3];
+            if twin == NO_TWIN {
+                break;
             }
+            // across half-edge i+1, the same vertex is the corner i+1 of the other triangle, and vice versa
+            at = 3 * (twin as usize / 3) + (twin as usize + turn) % 3;
+            if std::mem::replace(&mut visited[at], true) {
+                break;
+            }
+            visit(at);
         }
-        sizes.push(size);
+    }
+}
+
+/// The component of each triangle, and their sizes. Triangles with a common edge belong together, however many they are;
+/// those that share only a vertex are in different components.
+pub(super) fn components(edges: &EdgeTable, triangles: usize) -> (Vec<u32>, Vec<usize>) {
+    let mut into: Vec<u32> = (0..triangles as u32).collect();
+    for edge in edges.edges() {
+        for pair in edge.windows(2) {
+            let [a, b] = [pair[0].1 / 3, pair[1].1 / 3].map(|t| root(&mut into, t));
+            into[a.max(b) as usize] = a.min(b);
+        }
+    }
+    let mut number = vec![UNNUMBERED; triangles];
+    let mut sizes = Vec::new();
+    let mut component = Vec::with_capacity(triangles);
+    for t in 0..triangles as u32 {
+        let root = root(&mut into, t) as usize;
+        if number[root] == UNNUMBERED {
+            number[root] = sizes.len() as u32;
+            sizes.push(0);
+        }
+        component.push(number[root]);
+        sizes[number[root] as usize] += 1;
     }
     (component, sizes)
+}
+
+/// The first of the ones with which `v` is merged, with shorter ways to it for the next time.
+pub(super) fn root(into: &mut [u32], mut v: u32) -> u32 {
+    while into[v as usize] != v {
+        into[v as usize] = into[into[v as usize] as usize];
+        v = into[v as usize];
+    }
+    v
 }
 
 /// The boundary loops in the direction of their triangles, the longest first; at every vertex
@@ -234,7 +248,7 @@ pub(super) fn connectivity(surface: &Surface) -> Result<Connectivity, TopologyEr
     let twins = edges.twins();
     check_orientation(&surface.triangles, &twins)?;
     check_vertices(&surface.triangles, &twins, surface.vertices.len())?;
-    let sizes = components(&twins).1;
+    let sizes = components(&edges, surface.triangles.len()).1;
     let loops = loops(surface, &twins);
     Ok(Connectivity { twins, loops, sizes })
 }

@@ -5,7 +5,7 @@
 
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::language::Message;
-use crate::outline::{Outline, parse, parse_repaired};
+use crate::outline::{Outline, Reading, parse, parse_as};
 use crate::session::OutlineSpec;
 use crate::session::file::{self, Archive, Attachment, Steps};
 use std::sync::Arc;
@@ -33,7 +33,7 @@ impl NamedFile {
     pub fn outline(&self) -> Result<Outline, Unread> {
         parse(&self.name, &self.bytes).map_err(|error| Unread {
             text: Message::from(&error),
-            repaired: parse_repaired(&self.name, &self.bytes).ok().map(Box::new),
+            repaired: parse_as(&self.name, &self.bytes, &Reading { repair: true, part: None }).ok().map(Box::new),
         })
     }
 

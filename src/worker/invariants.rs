@@ -124,7 +124,8 @@ impl InvariantsTask {
             return Err(key::marks_not_in_order().into());
         }
         let spec = self.outline.spec()?;
-        let curve = spec.curve().map_err(|_| key::outline_without_curve())?.into_curve();
+        let found = spec.curve().map_err(|_| key::outline_without_curve())?;
+        let (sides, curve) = (found.sides().to_vec(), found.into_curve());
         let marks = self.marks.map(|marks| marks.map(|fraction| curve.point_at_fraction(fraction)));
         let request = InvariantsRequest::new(self.point).with_second_point(self.second_point).with_marks(marks);
         let found = boundary_integral::invariants(&curve, &request).map_err(|error| Message::from(&error))?;
@@ -132,7 +133,7 @@ impl InvariantsTask {
             Some(marks) => Some(modulus_of((&spec.polygon(), &curve), marks)?),
             None => None,
         };
-        let measures = found.arcs.map_or(found.pieces, |arcs| arcs.to_vec());
+        let measures = found.arcs.map_or_else(|| found.of_sides(&sides), |arcs| arcs.to_vec());
         Ok(FoundInvariants {
             measures: measures.into_iter().map(Number::from).collect(),
             conformal_radius: found.conformal_radius.into(),

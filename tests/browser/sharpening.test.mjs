@@ -79,8 +79,8 @@ withOneBackend('sharpening', (bench) => {
   test(
     'an outline with too many corners stays with finite elements, and says why',
     bench.withApp(async (app) => {
-      const corner = (k) => [Math.cos((k * Math.PI) / 300), Math.sin((k * Math.PI) / 300)].map((x) => x * (1 + (k % 2) / 10));
-      const lines = Array.from({ length: 600 }, (_, k) => corner(k).join(','));
+      const corner = (k) => [Math.cos((k * Math.PI) / 800), Math.sin((k * Math.PI) / 800)].map((x) => x * (1 + (k % 2) / 10));
+      const lines = Array.from({ length: 1600 }, (_, k) => corner(k).join(','));
       await app.loadOutline('source', 'gear.csv', `${lines.join('\n')}\n`);
       const stats = await app.atRest('the gear is shown', (now) => now.ready && now.kernels[0]?.reason !== null);
       assert.equal(stats.kernels[0].kernel, 'adjoint');

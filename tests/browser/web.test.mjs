@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { DIST, withEachBackend } from './backends.mjs';
+import { DIST, withEachBackend, withOneBackend } from './backends.mjs';
 import { serve } from './server.mjs';
 
 /** Runs in the page before its scripts: disables all graphics. */
@@ -72,7 +72,7 @@ async function dropPicture() {
   }
 }
 
-withEachBackend(
+withOneBackend(
   'the page',
   (bench) => {
     test('the bar follows a compressed download to its end', async (context) => {
@@ -202,7 +202,13 @@ withEachBackend(
         { at: '?present' },
       ),
     );
+  },
+  { packed: true, below: '/a/b/' },
+);
 
+withEachBackend(
+  'lost graphics',
+  (bench) => {
     const { prepare, lose } = LOSSES[bench.backend];
     test(
       'after the graphics are lost they are rebuilt at once, undo included',

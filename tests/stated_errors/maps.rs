@@ -6,7 +6,7 @@ use riemap::conformal::{ConformalMap, Constraints, Direction, InteriorImage, Mar
 use riemap::conformal::{GridCells, KernelMode, PrepareSettings, PreparedSide, prepare_curve};
 use riemap::exact::{Complex, complex, point};
 use riemap::geometry::{Curve, CurvePoint, DVec2, Piece, SimplePolygon};
-use riemap::outline::{Preset, parse_geo_rings};
+use riemap::outline::{Preset, Reading, parse_geo_rings};
 use riemap::projection::{Projection, Region};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -161,7 +161,8 @@ pub fn projections() -> Vec<Case> {
         ("1-3", &include_bytes!("coast-v-1-3.geojson")[..], 1.001_387_4),
     ];
     for (name, bytes, truth) in inlets {
-        let rings: Vec<Vec<DVec2>> = parse_geo_rings(bytes).unwrap().iter().map(|ring| ring.points.clone()).collect();
+        let rings: Vec<Vec<DVec2>> =
+            parse_geo_rings(bytes, &Reading::default()).unwrap().iter().map(|ring| ring.points.clone()).collect();
         cases.push(made(format!("coast with an inlet, {name}"), &rings, truth, 1e-7));
     }
     cases

@@ -2,7 +2,10 @@
 
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
+/// A case that fails is made smaller so many times: some take seconds.
+const SHRUNK: u32 = 32;
+
 pub fn runner(cases: u32) -> TestRunner {
-    let config = Config { cases, failure_persistence: None, ..Config::default() };
+    let config = Config { cases, failure_persistence: None, max_shrink_iters: SHRUNK, ..Config::default() };
     TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha))
 }

@@ -16,16 +16,17 @@ type Row = (&'static str, &'static [&'static str]);
 /// The rooms of `src`: folders and single files.
 const ROOMS: &[Row] = &[
     ("counted", &[]),
+    ("utf16", &[]),
     ("geometry", &["counted"]),
     ("exact", &["geometry"]),
     ("boundary_integral", &["counted", "geometry"]),
     ("cauchy_integral", &["geometry"]),
-    ("outline", &["counted", "geometry", "exact"]),
+    ("outline", &["counted", "utf16", "geometry", "exact"]),
     ("mesh", &["counted", "geometry"]),
     ("drawing", &["counted", "geometry", "outline"]),
     ("tiling", &["geometry"]),
     ("projection", &["geometry", "mesh"]),
-    ("surface", &["counted", "geometry", "mesh", "outline"]),
+    ("surface", &["counted", "utf16", "geometry", "mesh", "outline"]),
     ("laplace", &["counted", "geometry", "mesh"]),
     ("zipper", &["geometry", "exact", "outline"]),
     (

@@ -1,4 +1,4 @@
-//! `riemap accuracy`: the errors of all methods on nine outlines against unknowns, boundary points and time, as a table
+//! `riemap accuracy`: the errors of all methods on twelve outlines against unknowns, boundary points and time, as a table
 //! on the terminal, CSV, a figure, or JSON. The numbers come from `figures`.
 
 mod figure;
@@ -40,6 +40,9 @@ impl From<ShapeArgument> for LadderShape {
             ShapeArgument::VShape => Self::VShape,
             ShapeArgument::Blob => Self::Blob,
             ShapeArgument::Quintic => Self::Quintic,
+            ShapeArgument::Notch => Self::Notch,
+            ShapeArgument::Clef => Self::Clef,
+            ShapeArgument::Coast => Self::Coast,
         }
     }
 }

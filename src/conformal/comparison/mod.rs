@@ -16,7 +16,7 @@ use super::{
 use crate::geometry::{CurvePoint, DVec3};
 use crate::mesh::Sizing;
 use crate::outline::{BoundaryPoint, MAX_SAMPLES, Sampling};
-use pair::Pair;
+use pair::{Pair, point_on_finer};
 pub use quartered::{QuarteredError, prepare_quartered};
 use std::sync::Arc;
 
@@ -106,7 +106,7 @@ impl ConformalMap {
             }
             let pair = Pair { side: own, finer: &finer[side] };
             let anchor = if own.is_surface() { pair.fraction(own.at_fraction(anchor))? } else { anchor };
-            Some((pair.point(point)?, anchor))
+            Some((point_on_finer(point), anchor))
         };
         let [Some(source), Some(target)] = Side::BOTH.map(constraint) else { return Ok(None) };
         let [first, second] = [Side::Source, Side::Target].map(|side| Arc::clone(&finer[side]));
@@ -116,7 +116,7 @@ impl ConformalMap {
     /// Keeps the estimate that comparison with `finer`, from [`Self::on_finer`], gives, until the map changes:
     /// [`Self::error_estimate`] then returns it. False if the maps cannot be compared.
     pub fn compare_with(&mut self, finer: &Self) -> bool {
-        let estimate = self.compared(finer);
+        let estimate = self.differences_from(finer, PerSide::new(1, 1));
         self.compared = estimate.map(Box::new);
         self.compared.is_some()
     }
@@ -131,13 +131,14 @@ impl ConformalMap {
         }
     }
 
-    fn compared(&self, finer: &Self) -> Option<Differences> {
+    /// What comparison with `finer` gives, at the boundary vertices whose numbers are multiples of the stride.
+    pub(super) fn differences_from(&self, finer: &Self, strides: PerSide<usize>) -> Option<Differences> {
         let (mapped, images) = (self.mapped_side(), self.image_places());
         let place = |k: usize| match images {
             Places::Plane(places) => places[k].extend(0.0),
             Places::Space(places) => places[k],
         };
-        let (omega, points) = self.differences(finer, mapped, &place)?;
+        let (omega, points) = self.differences(finer, (mapped, strides[mapped]), &place)?;
         let other = mapped.other();
         let mut back = BoundaryCorrespondence::default();
         match_measures(self.measure(other), self.measure(mapped), &mut back);
@@ -145,30 +146,41 @@ impl ConformalMap {
             Some((_, position)) => position.extend(0.0),
             None => self.side(mapped).boundary_place(back.points()[k]),
         };
-        let (omega_of_other, inverse) = self.differences(finer, other, &place)?;
+        let (omega_of_other, inverse) = self.differences(finer, (other, strides[other]), &place)?;
         let image = points.iter().copied().fold(0.0, f64::max);
         Some(Differences { estimate: ErrorEstimate { omega: omega.max(omega_of_other), image, points }, inverse })
     }
 
-    /// The estimated errors of a side's measure, and of the image of each of its vertices, which is at this place.
-    fn differences(&self, finer: &Self, side: Side, place: &dyn Fn(usize) -> DVec3) -> Option<(f64, Vec<f64>)> {
+    /// The estimated errors of a side's measure, and of the images of its vertices, which are at these places.
+    fn differences(
+        &self,
+        finer: &Self,
+        (side, stride): (Side, usize),
+        place: &dyn Fn(usize) -> DVec3,
+    ) -> Option<(f64, Vec<f64>)> {
         let target = Compared::of(finer, side.other());
-        let mut differences = vec![0.0; self.measure(side).vertex_count()];
-        let omega = self.largest_difference(finer, side, &mut |k, (omega, way)| {
-            differences[k] = COARSE * place(k).distance(target.place(omega, way));
+        let mut differences = Vec::new();
+        let omega = self.largest_difference(finer, (side, stride), &mut |k, (omega, way)| {
+            differences.push(COARSE * place(k).distance(target.place(omega, way)));
         })?;
         let m = differences.len();
         let around = |k: usize| (0..=2 * NEIGHBOURS).map(move |i| (k + m + i - NEIGHBOURS.min(m)) % m);
         Some((omega, (0..m).map(|k| around(k).map(|i| differences[i]).fold(0.0, f64::max)).collect()))
     }
 
-    /// The estimated error of a side's measure; tells `each` vertex's measure in the finer map.
-    fn largest_difference(&self, finer: &Self, side: Side, each: &mut dyn FnMut(usize, (f64, Way))) -> Option<f64> {
+    /// The estimated error of a side's measure at the vertices that `stride` divides; tells `each` vertex's measure in the
+    /// finer map.
+    fn largest_difference(
+        &self,
+        finer: &Self,
+        (side, stride): (Side, usize),
+        each: &mut dyn FnMut(usize, (f64, Way)),
+    ) -> Option<f64> {
         let (own, there) = (Compared::of(self, side), Compared::of(finer, side));
         let pair = Pair { side: self.side(side), finer: finer.side(side) };
         let points = own.curve.as_ref().map(|curve| curve.sharp().boundary().points());
         let mut largest = 0.0_f64;
-        for k in 0..own.measure.vertex_count() {
+        for k in (0..own.measure.vertex_count()).step_by(stride) {
             let fraction = pair.fraction(BoundaryPoint::new(k as u32, 0.0))?;
             let (omega, way) = there.nearer(points.map(|points| points[k]), fraction);
             let forward = if way == Way::Forward { omega } else { 1.0 - omega };

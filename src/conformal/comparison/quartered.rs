@@ -5,7 +5,8 @@ use crate::geometry::DVec3;
 use crate::surface::{Surface, SurfaceMesh, TopologyError};
 use std::collections::BTreeMap;
 
-/// The surface with every triangle cut into four at the middles of its edges. Vertices keep their numbers.
+/// The surface with every triangle cut into four at the middles of its edges, in the order of the surface: at its corners, in
+/// the middle. Vertices keep their numbers.
 fn quartered(mesh: &SurfaceMesh) -> Surface {
     let mesh = mesh.mesh();
     let mut vertices: Vec<DVec3> = mesh.vertices().to_vec();

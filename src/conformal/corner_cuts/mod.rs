@@ -16,6 +16,7 @@
 mod unfold;
 
 use super::ConformalMap;
+use super::subdivision::Finest;
 use crate::geometry::{DVec2, DVec3, orientation};
 use crate::mesh::{NO_TRIANGLE, TriMesh, TriangleId, VertexId};
 use crate::outline::BoundaryPoint;
@@ -164,6 +165,10 @@ impl ConformalMap {
     /// its point, along the boundary from its first vertex.
     fn preimages(&self, corners: &[DVec2]) -> Option<Vec<(usize, BoundaryPoint)>> {
         let (surface, outline) = (self.mapped_side(), self.mapped_side().other());
+        if let Some(Finest { map, cuts }) = self.finest.as_deref() {
+            let on_own = |(k, point)| (k, cuts[surface].coarser_on_boundary(point));
+            return Some(map.preimages(corners)?.into_iter().map(on_own).collect());
+        }
         let (onto, own) = (self.measure(outline), self.measure(surface));
         let samples = self.domain(outline)?.samples();
         let mut along: Vec<(usize, (usize, f64))> =

@@ -49,9 +49,12 @@ const LEAST: f64 = 1e-14;
 /// The tolerance of the point of a polygon from which the middle is looked for, in sizes of the polygon.
 const NEAR_POLE: f64 = 1e-3;
 
-/// How the outline is divided: several factors are made, so that the limit is that of maps.
+/// The most unknowns: several factors are made.
+const MAX_UNKNOWNS: usize = super::MAX_UNKNOWNS / 4;
+
+/// How the outline is divided.
 fn settings() -> Settings {
-    Settings::default().with_max_unknowns(super::MAX_UNKNOWNS)
+    Settings::default().with_max_unknowns(MAX_UNKNOWNS)
 }
 
 /// A domain with four boundary points, its corners.

@@ -86,8 +86,12 @@ impl ConformalMap {
                 let is_corner = sharp.boundary().curve().is_corner(known);
                 let tolerance = if is_corner { ACCURACY } else { 8.0 * f64::EPSILON };
                 let is_equal = are_indistinct(map.measure_at(place), inverse.measure_at(known), tolerance);
-                let exact = sharp.boundary().sampled(map.image(place));
-                (!is_equal && boundary.is_in_order(k, exact)).then(|| (exact, map.image(place)))
+                if is_equal {
+                    return None;
+                }
+                let point = map.image(place);
+                let exact = sharp.boundary().sampled(point);
+                boundary.is_in_order(k, exact).then_some((exact, point))
             });
             let (image, point) = exact.unwrap_or((image, known));
             result.set_exact(k, image, point, sharp.boundary().curve().position(point));

@@ -36,10 +36,11 @@ pub(super) struct Knot {
     pub is_cut: bool,
 }
 
-/// Vertices of the other boundary that are too close to each other, as numbers from the first and to the last.
+/// Vertices of the other boundary that are too close to each other.
 struct Group {
+    /// From the first to the last, with what a cut takes away around them.
     run: [usize; 2],
-    /// Those that stay, which may lie outside of the run, or coincide.
+    /// Those that stay: both ends of the run, or one vertex twice.
     kept: [usize; 2],
 }
 
@@ -103,14 +104,17 @@ impl Merged {
         while i < m {
             let last = (i..m).find(|&k| k + 1 == m || gap(k) >= finest).unwrap_or(i);
             if last > i {
-                let least = groups.last().map_or(0, |group| group.kept[1].max(group.run[1]) + 1);
-                let kept = match self.only_corner(other, [i, last]) {
-                    _ if last == i + 1 => [i, last],
-                    Some(corner) => [corner, corner],
-                    None => self.cut_off(other.samples, [i, last], least),
+                let least = groups.last().map_or(0, |group| group.run[1] + 1);
+                let kept = if last == i + 1 {
+                    [i, last]
+                } else if let Some(corner) = self.only_corner(other, [i, last]) {
+                    [corner, corner]
+                } else {
+                    self.cut_off(other.samples, [i, last], least)
                 };
-                groups.push(Group { run: [i.min(kept[0]), last.max(kept[1])], kept });
-                i = last.max(kept[1]);
+                let run = [i.min(kept[0]), last.max(kept[1])];
+                groups.push(Group { run, kept });
+                i = run[1];
             }
             i += 1;
         }
@@ -137,7 +141,7 @@ impl Merged {
         let mut corners = (from..=to).filter(|&k| other.is_corner_of_curve(vertex(k)));
         match (corners.next(), corners.next()) {
             (Some(corner), None) => Some(corner),
-            (None, _) => (from..=to).find(|&k| other.is_anchor(vertex(k))),
+            (None, _) => other.anchor_vertex().and_then(|anchor| (from..=to).find(|&k| vertex(k) == anchor)),
             _ => None,
         }
     }
@@ -156,9 +160,9 @@ impl Merged {
         let mut i = 0;
         while i < others.len() {
             if let Some(&Group { run, kept: [from, to] }) = pending.next_if(|group| group.run[0] == i) {
-                // the ends stay apart
-                let spread = (0.25 * finest - 0.5 * (others[to] - others[from])).max(0.0);
                 if from < to {
+                    // the ends stay apart
+                    let spread = (0.25 * finest - 0.5 * (others[to] - others[from])).max(0.0);
                     kept.push((others[from] - spread, from, to > from + 1));
                     kept.push((others[to] + spread, to, false));
                 } else {

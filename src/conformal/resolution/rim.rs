@@ -119,10 +119,10 @@ impl<'a> Rim<'a> {
         }
     }
 
-    /// Whether sample `k` is the anchor.
-    pub fn is_anchor(&self, k: usize) -> bool {
+    /// The vertex at the anchor, if one is there.
+    pub fn anchor_vertex(&self) -> Option<usize> {
         let anchor = self.measure.anchor();
-        anchor.edge() as usize == k && anchor.fraction() == 0.0
+        (anchor.fraction() == 0.0).then_some(anchor.edge() as usize)
     }
 
     /// The length of the edge from sample `k` on.
@@ -133,9 +133,8 @@ impl<'a> Rim<'a> {
     /// The vertices from the anchor on, with their knots; a vertex at the anchor comes first.
     pub fn vertices(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         let m = self.samples.len();
-        let at_anchor = self.measure.anchor().fraction() == 0.0;
-        let first = at_anchor.then(|| (self.measure.vertex_at(0), 0));
-        let others = (1..=m).filter(move |&j| j < m || !at_anchor).map(|j| (self.measure.vertex_at(j), j));
+        let first = self.anchor_vertex().map(|vertex| (vertex, 0));
+        let others = (1..=m).filter(move |&j| j < m || first.is_none()).map(|j| (self.measure.vertex_at(j), j));
         first.into_iter().chain(others)
     }
 
@@ -146,9 +145,8 @@ impl<'a> Rim<'a> {
 
     /// The length from the anchor to a vertex.
     pub fn length_to(&self, vertex: usize) -> f64 {
-        let knot = self.measure.knot_of(vertex);
         // a vertex at the anchor is the first knot
-        if knot == self.samples.len() && self.measure.anchor().fraction() == 0.0 { 0.0 } else { self.lengths[knot] }
+        if self.anchor_vertex() == Some(vertex) { 0.0 } else { self.lengths[self.measure.knot_of(vertex)] }
     }
 
     /// The length between two lengths from the anchor without the intervals that have no measure.

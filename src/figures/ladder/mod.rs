@@ -7,19 +7,21 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `shape` | the outlines, and the points from which measure is taken |
+//! | `shape`, `polygons` | the outlines, and the points from which measure is taken |
 //! | `truth` | what errors are measured against |
 //! | `measured` | what the methods share: errors, medians of times |
 //! | `integral`, `sampled` | the boundary integral; finite elements and Zipper, which sample the boundary |
 
 mod integral;
 mod measured;
+mod polygons;
 mod sampled;
 mod shape;
 mod truth;
 
 use super::{Cell, Detail, FigureError, Table};
 use measured::Measured;
+pub use polygons::coast;
 pub use shape::LadderShape;
 pub use truth::{Reference, Truth};
 
@@ -66,6 +68,9 @@ impl LadderMethod {
         match (self, detail) {
             (Self::Integral, Detail::Paper) => &[0, 1, 2, 3, 4],
             (Self::Integral, Detail::Quick) => &[0, 2, 3],
+            (Self::AdjointDefault, Detail::Paper) if shape.has_many_corners() => &[1000, 2000, 4000],
+            (_, Detail::Paper) if shape.has_many_corners() => &[500, 1000, 2000],
+            (_, Detail::Quick) if shape.has_many_corners() => &[500, 750, 1000],
             (Self::AdjointUniform, Detail::Quick) => &[125, 250, 500],
             (Self::Zipper | Self::AdjointDefault, Detail::Quick) => &[250, 500, 1000],
             (Self::AdjointDefault, Detail::Paper) => &[250, 500, 1000, 2000, 4000],

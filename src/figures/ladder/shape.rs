@@ -1,6 +1,7 @@
 //! The outlines of the ladder: their curves, dense polygons on them, and the points from which measure is taken.
 
 use super::super::FigureError;
+use super::polygons::{clef, clef_point, coast, notch};
 use crate::exact::{self, Complex};
 use crate::geometry::{Curve, CurvePoint, DVec2, Jet, Piece, SimplePolygon};
 use crate::outline::Preset;
@@ -28,16 +29,27 @@ pub enum LadderShape {
     Blob,
     /// The image of the unit disk under z + 0.12 z⁵, from 0.
     Quintic,
+    /// A square with a notch of 1° down to its middle, from (0.5, 0.2).
+    Notch,
+    /// A winding strip with 200 corners, from its middle.
+    Clef,
+    /// A coast with 192 corners, from 0.
+    Coast,
 }
 
 /// The radius of the rounded square's arcs.
 const ROUNDING: f64 = 0.3;
+/// The angle of the notch, in degrees.
+const NOTCH: f64 = 1.0;
+/// The coast's halvings, and how far they move.
+const COAST_LEVELS: u32 = 5;
+const COAST_ROUGHNESS: f64 = 0.2;
 /// Vertices of the polygon on a closed curve that is not a preset: chords leave it by 1e-6 of its size.
 const VERTICES: u32 = 2880;
 
 impl LadderShape {
     /// All outlines, in the order of the table.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 12] = [
         Self::Disk,
         Self::Ellipse,
         Self::Square,
@@ -47,6 +59,9 @@ impl LadderShape {
         Self::VShape,
         Self::Blob,
         Self::Quintic,
+        Self::Notch,
+        Self::Clef,
+        Self::Coast,
     ];
 
     /// The name in a table.
@@ -61,6 +76,9 @@ impl LadderShape {
             Self::VShape => "v-shape",
             Self::Blob => "blob",
             Self::Quintic => "z+0.12z^5",
+            Self::Notch => "notch-1",
+            Self::Clef => "clef",
+            Self::Coast => "coast",
         }
     }
 
@@ -76,6 +94,9 @@ impl LadderShape {
             Self::VShape => "V-shape",
             Self::Blob => "blob",
             Self::Quintic => "z + 0.12 z⁵",
+            Self::Notch => "notch of 1°",
+            Self::Clef => "clef of 200 corners",
+            Self::Coast => "coast of 192 corners",
         }
     }
 
@@ -87,7 +108,9 @@ impl LadderShape {
             Self::Rectangle => DVec2::new(5.0, 0.5),
             Self::VShape => super::super::scenes::crowding_points().source,
             Self::Blob => exact::point(exact::blob::from_disk(Complex::ZERO)),
-            Self::Ellipse | Self::Square | Self::RoundedSquare | Self::Quintic => DVec2::ZERO,
+            Self::Notch => DVec2::new(0.5, 0.2),
+            Self::Clef => clef_point(),
+            Self::Ellipse | Self::Square | Self::RoundedSquare | Self::Quintic | Self::Coast => DVec2::ZERO,
         }
     }
 
@@ -105,6 +128,9 @@ impl LadderShape {
         let corners: &[(f64, f64)] = match self {
             Self::LShape => &[(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)],
             Self::Rectangle => &[(0.0, 0.0), (10.0, 0.0), (10.0, 1.0), (0.0, 1.0)],
+            Self::Notch => return Some(notch(NOTCH)),
+            Self::Clef => return Some(clef()),
+            Self::Coast => return coast(COAST_LEVELS, COAST_ROUGHNESS).map(|coast| coast.vertices().to_vec()),
             _ => return None,
         };
         Some(corners.iter().map(|&corner| corner.into()).collect())
@@ -112,7 +138,12 @@ impl LadderShape {
 
     /// Whether the outline is a polygon.
     pub fn is_polygon(self) -> bool {
-        matches!(self, Self::Square | Self::LShape | Self::Rectangle)
+        matches!(self, Self::Square | Self::LShape | Self::Rectangle | Self::Notch) || self.has_many_corners()
+    }
+
+    /// Whether few samples would be corners only.
+    pub fn has_many_corners(self) -> bool {
+        matches!(self, Self::Clef | Self::Coast)
     }
 
     /// The curve; harmonic measure is counted from its start.

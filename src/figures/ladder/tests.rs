@@ -19,12 +19,17 @@ fn row(shape: LadderShape, method: LadderMethod, resolution: u32) -> LadderRow {
     row
 }
 
-/// The bounds for ω at the default: 1e-10 on smooth outlines and the rounded square, 1e-12 on polygons.
+/// The bounds for ω at the default: 1e-10 on smooth outlines and the rounded square, 1e-12 on polygons but the clef, whose 9,700
+/// unknowns are factored hierarchically.
 #[test]
 fn the_boundary_integral_has_its_digits_on_every_outline() {
     for shape in LadderShape::ALL {
         let LadderRow { omega, image, .. } = row(shape, LadderMethod::Integral, 3);
-        let bound = if shape.is_polygon() { 1e-12 } else { 1e-10 };
+        let bound = match shape {
+            LadderShape::Clef => 1e-11,
+            _ if shape.is_polygon() => 1e-12,
+            _ => 1e-10,
+        };
         assert!(omega.max < bound, "{shape:?}: {:e}", omega.max);
         // next to a square's corner an error Δω becomes √Δω; the ends of the rectangle have a measure of 2e-7
         let bound = if shape.is_polygon() { 1e-4 } else { 1e-8 };
@@ -61,7 +66,8 @@ fn uniform_finite_elements_converge() {
 #[test]
 fn adaptive_finite_elements_have_two_digits_on_every_outline() {
     for shape in LadderShape::ALL {
-        let LadderRow { omega, .. } = row(shape, LadderMethod::AdjointDefault, 500);
+        let samples = if shape.has_many_corners() { 2000 } else { 500 };
+        let LadderRow { omega, .. } = row(shape, LadderMethod::AdjointDefault, samples);
         assert!(omega.max < 1e-2 && omega.max > 1e-8, "{shape:?}: {:e}", omega.max);
     }
 }

@@ -102,6 +102,9 @@ const CUSP: f64 = 1e-5;
 /// The least speed at an end, in lengths of the piece: less is a vanishing derivative.
 const LEAST_SPEED: f64 = 1e-6;
 
+/// The points of a piece from which the nearest one to a place is looked for.
+const STATIONS: usize = 64;
+
 /// Fractions of the perimeter that differ by less are equal: next to a reentrant corner, 1e-16 of the length can be
 /// 1e-8 of the harmonic measure, so a sum of lengths must not miss the corner by rounding.
 const JUNCTION_ROUNDING: f64 = 8.0 * f64::EPSILON;
@@ -201,6 +204,36 @@ impl Curve {
             rest -= length;
         }
         CurvePoint::new(0, 0.0)
+    }
+
+    /// The fraction of the perimeter at the point of the curve nearest to `x`, as far as it is seen from 64 points of each
+    /// piece, of a spline from two between its points; a junction at `x` is hit exactly.
+    pub fn fraction_nearest(&self, x: DVec2) -> f64 {
+        let distance = |piece: &Piece, t: f64| piece.jet(t).position.distance(x);
+        let mut best = (f64::INFINITY, 0, 0.0, 0.0);
+        for (k, piece) in self.pieces.iter().enumerate() {
+            let parts = if let Piece::Spline { from, to, .. } = piece { 2 * (to - from) } else { STATIONS };
+            for t in (0..parts).map(|j| j as f64 / parts as f64) {
+                let found = distance(piece, t);
+                if found < best.0 {
+                    best = (found, k, t, 1.0 / parts as f64);
+                }
+            }
+        }
+        let (mut least, k, mut t, mut step) = best;
+        let piece = &self.pieces[k];
+        while least > 0.0 && step > f64::EPSILON * t {
+            let tried = [t + step, t - step].map(|t| (distance(piece, t.clamp(0.0, 1.0)), t.clamp(0.0, 1.0)));
+            match tried.into_iter().find(|(found, _)| *found < least) {
+                Some(better) => (least, t) = better,
+                None => step *= 0.5,
+            }
+            if step < f64::MIN_POSITIVE {
+                break;
+            }
+        }
+        let before: f64 = self.lengths[..k].iter().sum();
+        (before + piece.length_to(t)) / self.perimeter()
     }
 
     /// Whether `x` lies inside, by the winding number. Points within rounding of the curve may count either way.

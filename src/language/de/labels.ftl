@@ -66,6 +66,9 @@ finite_elements_graded = Finite Elemente, voreingestellt
 ellipse_4_1 = Ellipse 4:1
 rounded_square = Abgerundetes Quadrat
 rectangle_10_1 = Rechteck 10×1
+notch_1 = Kerbe von 1°
+clef_200 = Schlüssel mit 200 Ecken
+coast_192 = Küste mit 192 Ecken
 accuracy_of_methods = Genauigkeit der Verfahren
 accuracy_and_convergence = Genauigkeit und Konvergenz
 

@@ -98,6 +98,22 @@ outline_file_numbers_on_line = { $count ->
     [one] Zeile { $line } hat 1 Zahl; ein Punkt sind zwei
    *[other] Zeile { $line } hat { $count } Zahlen; ein Punkt sind zwei
 }
+outline_file_not_understood = Zeile { $line } ist nicht zu verstehen: „{ $text }“
+outline_file_reference_system = die Koordinaten sind in { $name }: bitte in Länge und Breite (EPSG:4326) umrechnen
+outline_file_no_parts = einen Teil „{ $wanted }“ gibt es nicht: Die Datei enthält einen einzigen Umriss
+outline_file_no_such_number = einen Teil „{ $wanted }“ gibt es nicht: Die Teile haben die Nummern 1 bis { $count }
+outline_file_no_such_part = einen Teil „{ $wanted }“ gibt es nicht: Die Teile haben die Nummern 1 bis { $count } und die Namen { $names }
+outline_shape_taken = Form { $number } von { $count } wurde genommen.
+outline_named_shape_taken = Form { $number } von { $count } wurde genommen, „{ $name }“.
+outline_repeated_points_dropped = { $count ->
+    [one] Ein Punkt, der den vorigen wiederholte, wurde weggelassen.
+   *[other] { $count } Punkte, die den vorigen wiederholten, wurden weggelassen.
+}
+outline_columns_dropped = { $count ->
+    [one] Eine Spalte neben x und y wurde weggelassen.
+   *[other] { $count } Spalten neben x und y wurden weggelassen.
+}
+lists_of_different_length = { $x } Zahlen in „x“ und { $y } in „y“
 outline_file_odd_numbers = { $count ->
     [one] diese Zeile hat 1 Zahl; ein Punkt sind zwei
    *[other] diese Zeile hat { $count } Zahlen, eine ungerade Anzahl; ein Punkt sind zwei
@@ -193,10 +209,6 @@ surface_file_index_out_of_range = { $vertices ->
     [one] { $place }: ein Vieleck nennt Ecke { $index }, die Datei hat aber nur 1 Ecke
    *[other] { $place }: ein Vieleck nennt Ecke { $index }, die Datei hat aber { $vertices } Ecken
 }
-surface_file_corners = { $count ->
-    [one] { $place }: ein Vieleck hat 1 Ecke; 3 bis { $limit } sind möglich
-   *[other] { $place }: ein Vieleck hat { $count } Ecken; 3 bis { $limit } sind möglich
-}
 surface_file_unsupported = { $place }: { $what } lässt sich nicht lesen
 surface_file_no_triangles = die Datei enthält keine Vielecke
 surface_note_triangulated = { $polygons ->
@@ -204,6 +216,14 @@ surface_note_triangulated = { $polygons ->
    *[other] { $polygons } Vielecke wurden in Dreiecke zerlegt
 }
 surface_note_welded = { $before } Eckpunkte an { $after } Orten wurden zu { $after } Ecken
+surface_note_left_apart = { $vertices ->
+    [one] 1 Ecke bleibt von einer anderen am selben Ort getrennt: verbunden wäre die Fläche keine Scheibe
+   *[other] { $vertices } Ecken bleiben von anderen an denselben Orten getrennt: verbunden wäre die Fläche keine Scheibe
+}
+surface_note_dropped_faces = { $count ->
+    [one] 1 Fläche mit weniger als 3 Ecken wurde weggelassen
+   *[other] { $count } Flächen mit weniger als 3 Ecken wurden weggelassen
+}
 surface_note_surplus = { $place }: Danach steht mehr, als die Datei nach eigener Angabe hat; es wurde übergangen
 topology_empty = die Fläche hat keine Dreiecke
 topology_index_out_of_range = { $vertices ->
@@ -249,6 +269,22 @@ topology_genus = { $genus ->
 repair_dropped_triangles = { $count ->
     [one] 1 Dreieck, das eine Ecke zweimal nennt, wurde weggelassen
    *[other] { $count } Dreiecke, die eine Ecke zweimal nennen, wurden weggelassen
+}
+repair_merged_vertices = { $count ->
+    [one] 1 Ecke wurde mit ihrer Nachbarin am selben Ort vereinigt
+   *[other] { $count } Ecken wurden mit ihren Nachbarinnen am selben Ort vereinigt
+}
+repair_flipped_flat = { $count ->
+    [one] bei 1 Dreieck ohne Fläche wurde die längste Kante umgelegt
+   *[other] bei { $count } Dreiecken ohne Fläche wurde die längste Kante umgelegt
+}
+repair_joined = { $count ->
+    [one] 1 Spalt ohne Fläche wurde verbunden
+   *[other] { $count } Spalte ohne Fläche wurden verbunden
+}
+repair_split_vertices = { $count ->
+    [one] 1 Ecke kam hinzu, wo Teile der Fläche in einer zusammentrafen
+   *[other] { $count } Ecken kamen hinzu, wo Teile der Fläche in einer zusammentrafen
 }
 repair_dropped_duplicates = { $count ->
     [one] 1 Dreieck mit denselben Ecken wie ein anderes wurde weggelassen
@@ -301,6 +337,7 @@ item_face = ein Vieleck
 item_corner_count = die Anzahl der Eckpunkte
 item_corner = Eckpunkt { $index } von { $count }
 item_off_keyword = das Schlüsselwort OFF
+item_off_number = eine Zahl eines Punktes oder einer Farbe
 item_vertex_count = die Anzahl der Ecken
 item_face_count = die Anzahl der Vielecke
 item_list_length = die Länge einer Liste
@@ -321,12 +358,10 @@ item_triangle_corner = ein Eckpunkt von Dreieck { $triangle } von { $count }
 item_triangle_end = das Ende eines Dreiecks
 item_named_coordinate = die Koordinate { $name } einer Ecke
 unsupported_version = Version { $version } von glTF
-unsupported_sparse_accessor = ein dünn besetzter accessor
-unsupported_separate_file = die getrennte Datei „{ $name }“ (.glb verwenden oder einbetten)
+unsupported_separate_file = die getrennte Datei „{ $name }“ (daneben legen, .glb verwenden oder einbetten)
+unsupported_extension = { $name } (zu entpacken mit: gltf-transform cp in.glb out.glb)
 unsupported_encoding = Inhalt, der nicht in Base 64 ist,
 unsupported_dimensions = eine Fläche in 4 oder n Dimensionen ({ $keyword })
-unsupported_binary_off = binäres OFF
-unsupported_strips = das Element tristrips
 fault_no_glb = eine GLB-Datei beginnt mit glTF
 fault_no_gltf = kein glTF ({ $message })
 fault_node_twice = der Knoten steht zweimal im Baum
@@ -392,6 +427,8 @@ integral_no_curve = die Punkte des Umrisses bilden keine Kurve: Er hat eine Nade
 integral_apart = die Punkte des Umrisses folgen seiner Kurve nicht
 integral_not_meshed = Randpunkte auf der Kurve lassen sich nicht vernetzen: { $reason }
 integral_too_large = der Rand braucht mindestens { $needed } Unbekannte, mehr als die erlaubten { $limit }: Er hat zu viele Ecken, oder Teile liegen zu nah beieinander
+integral_too_much_memory = der Faktor der Randgleichung braucht mehr als { $limit } MB: Zu viele Teile des Randes liegen einander gegenüber
+integral_corner_not_resolved = der Rand ist neben seiner Ecke ({ $x }, { $y }) nicht aufgelöst
 integral_not_resolved = der Rand lässt sich nicht auflösen: Teile berühren sich, oder ein Stück ist nicht glatt
 integral_singular = die Gleichungen des Randes haben keine Lösung: Kreuzt der Rand sich selbst?
 integral_not_inside = ({ $x }; { $y }) liegt nicht im Umriss
@@ -584,8 +621,8 @@ quadrilateral_too_long = die Seite von Marke { $a } bis { $b } ist zu weit von d
 ## projections
 outline_geographic = Längen und Breiten wurden als ebene Koordinaten genommen.
 point_of_ring = Punkt { $point } von Ring { $ring }
-region_latitude = { $place } hat die Breite { $latitude }°: Breiten gehen von −90° bis 90° (ein Punkt ist [Länge, Breite])
-region_longitude = { $place } hat die Länge { $longitude }°: Längen gehen von −180° bis 180° (bis ±360° wird angenommen)
+region_latitude = { $place } hat die Breite { $latitude }°: Breiten gehen von −90° bis 90° (ein Punkt ist [Länge, Breite] in Grad; Meter bitte zuerst umrechnen)
+region_longitude = { $place } hat die Länge { $longitude }°: Längen gehen von −180° bis 180° (bis ±360° wird angenommen; Meter bitte zuerst umrechnen)
 region_too_few_points = Ring { $ring } hat { $points } verschiedene Punkte hintereinander; ein Ring braucht mindestens 3
 region_no_boundary = die Ringe umschließen keine Fläche oder die ganze Kugel
 region_nearly_whole_sphere = das Gebiet bedeckt fast die ganze Kugel: kein Punkt liegt mehr als { $clearance }° außerhalb, und { $limit } ist die Grenze

@@ -66,6 +66,9 @@ finite_elements_graded = finite elements, default
 ellipse_4_1 = Ellipse 4:1
 rounded_square = Rounded square
 rectangle_10_1 = Rectangle 10×1
+notch_1 = Notch of 1°
+clef_200 = Clef with 200 corners
+coast_192 = Coast with 192 corners
 accuracy_of_methods = Accuracy of the methods
 accuracy_and_convergence = Accuracy and convergence
 

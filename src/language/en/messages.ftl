@@ -98,6 +98,22 @@ outline_file_numbers_on_line = { $count ->
     [one] line { $line } has 1 number; a point is two
    *[other] line { $line } has { $count } numbers; a point is two
 }
+outline_file_not_understood = line { $line } is not understood: "{ $text }"
+outline_file_reference_system = the coordinates are in { $name }: convert them to longitude and latitude (EPSG:4326)
+outline_file_no_parts = there is no part "{ $wanted }": the file holds a single outline
+outline_file_no_such_number = there is no part "{ $wanted }": they are numbered from 1 to { $count }
+outline_file_no_such_part = there is no part "{ $wanted }": they are numbered from 1 to { $count } and named { $names }
+outline_shape_taken = Shape { $number } of { $count } was taken.
+outline_named_shape_taken = Shape { $number } of { $count } was taken, "{ $name }".
+outline_repeated_points_dropped = { $count ->
+    [one] A point equal to the one before it was dropped.
+   *[other] { $count } points equal to the one before them were dropped.
+}
+outline_columns_dropped = { $count ->
+    [one] A column beside x and y was left out.
+   *[other] { $count } columns beside x and y were left out.
+}
+lists_of_different_length = { $x } numbers in "x" and { $y } in "y"
 outline_file_odd_numbers = { $count ->
     [one] this line has 1 number; a point is two
    *[other] this line has { $count } numbers, an odd number; a point is two
@@ -193,10 +209,6 @@ surface_file_index_out_of_range = { $vertices ->
     [one] { $place }: a face names vertex { $index }, but the file has 1 vertex
    *[other] { $place }: a face names vertex { $index }, but the file has { $vertices } vertices
 }
-surface_file_corners = { $count ->
-    [one] { $place }: a face has 1 corner; 3 to { $limit } are possible
-   *[other] { $place }: a face has { $count } corners; 3 to { $limit } are possible
-}
 surface_file_unsupported = { $place }: { $what } cannot be read
 surface_file_no_triangles = the file has no faces
 surface_note_triangulated = { $polygons ->
@@ -204,6 +216,14 @@ surface_note_triangulated = { $polygons ->
    *[other] { $polygons } polygons were cut into triangles
 }
 surface_note_welded = { $before } corners at { $after } places were made { $after } vertices
+surface_note_left_apart = { $vertices ->
+    [one] 1 vertex stays apart from another one at the same place: joined, the surface would be no disk
+   *[other] { $vertices } vertices stay apart from others at the same places: joined, the surface would be no disk
+}
+surface_note_dropped_faces = { $count ->
+    [one] 1 face with fewer than 3 corners was dropped
+   *[other] { $count } faces with fewer than 3 corners were dropped
+}
 surface_note_surplus = { $place }: more follows than the file says it has; it was passed over
 topology_empty = the surface has no triangles
 topology_index_out_of_range = { $vertices ->
@@ -249,6 +269,22 @@ topology_genus = { $genus ->
 repair_dropped_triangles = { $count ->
     [one] 1 triangle that names a vertex twice was dropped
    *[other] { $count } triangles that name a vertex twice were dropped
+}
+repair_merged_vertices = { $count ->
+    [one] 1 vertex was merged into its neighbor at the same place
+   *[other] { $count } vertices were merged into their neighbors at the same place
+}
+repair_flipped_flat = { $count ->
+    [one] 1 triangle without area had its longest edge flipped
+   *[other] { $count } triangles without area had their longest edge flipped
+}
+repair_joined = { $count ->
+    [one] 1 gap without area was joined
+   *[other] { $count } gaps without area were joined
+}
+repair_split_vertices = { $count ->
+    [one] 1 vertex was added where parts of the surface met in one
+   *[other] { $count } vertices were added where parts of the surface met in one
 }
 repair_dropped_duplicates = { $count ->
     [one] 1 triangle with the same corners as another one was dropped
@@ -301,6 +337,7 @@ item_face = a face
 item_corner_count = the number of corners
 item_corner = corner { $index } of { $count }
 item_off_keyword = the keyword OFF
+item_off_number = a number of a vertex or of a color
 item_vertex_count = the number of vertices
 item_face_count = the number of faces
 item_list_length = the length of a list
@@ -321,12 +358,10 @@ item_triangle_corner = a corner of triangle { $triangle } of { $count }
 item_triangle_end = the end of a triangle
 item_named_coordinate = the coordinate { $name } of a vertex
 unsupported_version = version { $version } of glTF
-unsupported_sparse_accessor = a sparse accessor
-unsupported_separate_file = the separate file "{ $name }" (use .glb, or embed it)
+unsupported_separate_file = the separate file "{ $name }" (put it beside this one, use .glb, or embed it)
+unsupported_extension = { $name } (decode it: gltf-transform cp in.glb out.glb)
 unsupported_encoding = data that is not in base 64
 unsupported_dimensions = a surface in 4 or n dimensions ({ $keyword })
-unsupported_binary_off = binary OFF
-unsupported_strips = the element tristrips
 fault_no_glb = a GLB file begins with glTF
 fault_no_gltf = no glTF: { $message }
 fault_node_twice = the node stands twice in the tree
@@ -392,6 +427,8 @@ integral_no_curve = the outline's points form no curve: it has a spike
 integral_apart = the outline's points do not follow its curve
 integral_not_meshed = samples on the curve cannot be meshed: { $reason }
 integral_too_large = the boundary needs at least { $needed } unknowns, more than the limit of { $limit }: it has too many corners, or parts too close to each other
+integral_too_much_memory = the factor of the boundary's equation needs more than { $limit } MB: too many parts of the boundary lie across from each other
+integral_corner_not_resolved = the boundary is not resolved next to its corner ({ $x }, { $y })
 integral_not_resolved = the boundary cannot be resolved: parts of it touch, or a piece is not smooth
 integral_singular = the equations of the boundary have no solution: does the boundary cross itself?
 integral_not_inside = ({ $x }, { $y }) is not inside the outline
@@ -584,8 +621,8 @@ quadrilateral_too_long = the side from mark { $a } to { $b } is too far from the
 ## projections
 outline_geographic = Longitudes and latitudes were taken as plane coordinates.
 point_of_ring = point { $point } of ring { $ring }
-region_latitude = { $place } has the latitude { $latitude }°: latitudes are from −90° to 90° (a point is [longitude, latitude])
-region_longitude = { $place } has the longitude { $longitude }°: longitudes are from −180° to 180° (up to ±360° is accepted)
+region_latitude = { $place } has the latitude { $latitude }°: latitudes are from −90° to 90° (a point is [longitude, latitude] in degrees; convert meters first)
+region_longitude = { $place } has the longitude { $longitude }°: longitudes are from −180° to 180° (up to ±360° is accepted; convert meters first)
 region_too_few_points = ring { $ring } has { $points } different points in a row; a ring needs at least 3
 region_no_boundary = the rings enclose no area, or the whole sphere
 region_nearly_whole_sphere = the region covers almost the whole sphere: no point is more than { $clearance }° outside, and { $limit } is the limit

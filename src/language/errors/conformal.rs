@@ -104,6 +104,8 @@ impl From<&BoundaryIntegralError> for Message {
     fn from(error: &BoundaryIntegralError) -> Self {
         match error {
             BoundaryIntegralError::TooManyUnknowns { needed, limit } => key::integral_too_large(*needed, *limit),
+            BoundaryIntegralError::TooMuchMemory { limit_mb } => key::integral_too_much_memory(*limit_mb),
+            BoundaryIntegralError::CornerNotResolved { at } => key::integral_corner_not_resolved(at.x, at.y),
             BoundaryIntegralError::NotResolved => key::integral_not_resolved().into(),
             BoundaryIntegralError::Singular => key::integral_singular().into(),
             BoundaryIntegralError::NotInside { at } => key::integral_not_inside(at.x, at.y),

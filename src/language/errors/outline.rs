@@ -31,6 +31,9 @@ impl From<&OutlineError> for Message {
             }
             OutlineError::MissingNumber { line, column } => key::outline_file_missing_number(*line, *column),
             OutlineError::NumbersOnLine { line, count } => key::outline_file_numbers_on_line(*count, *line),
+            OutlineError::NotUnderstood { line, text } => key::outline_file_not_understood(text.as_str(), *line),
+            OutlineError::ReferenceSystem { name } => key::outline_file_reference_system(name.as_str()),
+            OutlineError::NoSuchPart { wanted, count, names } => no_such_part(wanted, *count, names),
             OutlineError::OddNumbers { count } => key::outline_file_odd_numbers(*count),
             OutlineError::NotAPoint { point, found } => key::outline_file_not_a_point(*point, Message::from(*found)),
             OutlineError::NotAnOutline { found } => key::outline_file_not_an_outline(Message::from(*found)),
@@ -46,6 +49,14 @@ impl From<&OutlineError> for Message {
             OutlineError::NoClosedPath { paths } => key::outline_file_no_closed_path(*paths),
             OutlineError::Polygon(error) => error.into(),
         }
+    }
+}
+
+fn no_such_part(wanted: &str, count: usize, names: &str) -> Message {
+    match (count, names) {
+        (0, _) => key::outline_file_no_parts(wanted),
+        (_, "") => key::outline_file_no_such_number(wanted, count),
+        (_, names) => key::outline_file_no_such_part(wanted, count, names),
     }
 }
 
@@ -77,6 +88,7 @@ impl From<JsonFault> for Message {
         match fault {
             JsonFault::Points(kind) => key::points_are(Label::from(kind)),
             JsonFault::NoPoints => key::object_without_points().into(),
+            JsonFault::Lengths { x, y } => key::lists_of_different_length(x, y),
             JsonFault::Value(kind) => Label::from(kind).into(),
         }
     }
@@ -110,6 +122,12 @@ impl From<&OutlineNote> for Message {
     fn from(note: &OutlineNote) -> Self {
         match note {
             OutlineNote::Reversed => key::outline_reversed().into(),
+            OutlineNote::ShapeTaken { number, count, name: None } => key::outline_shape_taken(*number, *count),
+            OutlineNote::ShapeTaken { number, count, name: Some(name) } => {
+                key::outline_named_shape_taken(*number, *count, name.as_str())
+            }
+            OutlineNote::RepeatedPointsDropped { count } => key::outline_repeated_points_dropped(*count),
+            OutlineNote::ColumnsDropped { columns } => key::outline_columns_dropped(*columns),
             OutlineNote::LargestOf { rings } => key::outline_largest_of(*rings),
             OutlineNote::ClosingPointDropped => key::outline_closing_point_dropped().into(),
             OutlineNote::HolesIgnored { holes } => key::outline_holes_ignored(*holes),

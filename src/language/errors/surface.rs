@@ -53,6 +53,10 @@ impl From<&RepairNote> for Message {
     fn from(note: &RepairNote) -> Self {
         match note {
             RepairNote::DroppedTriangles { count } => key::repair_dropped_triangles(*count),
+            RepairNote::MergedVertices { count } => key::repair_merged_vertices(*count),
+            RepairNote::FlippedFlat { count } => key::repair_flipped_flat(*count),
+            RepairNote::Joined { count } => key::repair_joined(*count),
+            RepairNote::SplitVertices { count } => key::repair_split_vertices(*count),
             RepairNote::DroppedDuplicates { count } => key::repair_dropped_duplicates(*count),
             RepairNote::Oriented { count } => key::repair_oriented(*count),
             RepairNote::KeptLargest { components, dropped } => key::repair_kept_largest(*dropped, *components),

@@ -1,9 +1,7 @@
 //! Messages for files that are not surfaces, with the place of the error, and for changes made while reading one.
 
 use crate::language::{Message, key};
-use crate::surface::{
-    Fault, Item, MAX_BYTES, MAX_CORNERS, MAX_TRIANGLES, Place, SurfaceError, SurfaceNote, Unsupported,
-};
+use crate::surface::{Fault, Item, MAX_BYTES, MAX_TRIANGLES, Place, SurfaceError, SurfaceNote, Unsupported};
 
 impl From<&SurfaceError> for Message {
     fn from(error: &SurfaceError) -> Self {
@@ -23,9 +21,6 @@ impl From<&SurfaceError> for Message {
             SurfaceError::IndexOutOfRange { place, index, vertices } => {
                 key::surface_file_index_out_of_range(*vertices, Message::from(place), *index)
             }
-            SurfaceError::Corners { place, count } => {
-                key::surface_file_corners(*count, Message::from(place), MAX_CORNERS)
-            }
             SurfaceError::Malformed { place, fault } => {
                 key::surface_file_malformed(Message::from(place), Message::from(fault))
             }
@@ -42,6 +37,8 @@ impl From<&SurfaceNote> for Message {
         match note {
             SurfaceNote::Triangulated { polygons, .. } => key::surface_note_triangulated(*polygons),
             SurfaceNote::Welded { before, after } => key::surface_note_welded(*before, *after),
+            SurfaceNote::LeftApart { vertices } => key::surface_note_left_apart(*vertices),
+            SurfaceNote::DroppedFaces { count } => key::surface_note_dropped_faces(*count),
             SurfaceNote::Surplus { place } => key::surface_note_surplus(Message::from(place)),
         }
     }
@@ -84,6 +81,7 @@ impl From<Item> for Message {
             Item::Face => key::item_face(),
             Item::CornerCount => key::item_corner_count(),
             Item::OffKeyword => key::item_off_keyword(),
+            Item::OffNumber => key::item_off_number(),
             Item::VertexCount => key::item_vertex_count(),
             Item::FaceCount => key::item_face_count(),
             Item::ListLength => key::item_list_length(),
@@ -109,13 +107,10 @@ impl From<&Unsupported> for Message {
     fn from(what: &Unsupported) -> Self {
         match what {
             Unsupported::Version(version) => key::unsupported_version(*version),
-            Unsupported::Extension(name) => name.as_str().into(),
-            Unsupported::SparseAccessor => key::unsupported_sparse_accessor().into(),
+            Unsupported::Extension(name) => key::unsupported_extension(name),
             Unsupported::SeparateFile(name) => key::unsupported_separate_file(name),
             Unsupported::Encoding => key::unsupported_encoding().into(),
             Unsupported::Dimensions(keyword) => key::unsupported_dimensions(keyword),
-            Unsupported::BinaryOff => key::unsupported_binary_off().into(),
-            Unsupported::Strips => key::unsupported_strips().into(),
         }
     }
 }

@@ -18,7 +18,7 @@ keys_of_labels! {
     // accuracy
     ladder_about, ladder_at_corners, ladder_against_finer, unknowns, unknowns_tooltip, boundary_points,
     boundary_points_tooltip, milliseconds, milliseconds_tooltip, boundary_images, ladder_outline, boundary_integral, finite_elements_uniform,
-    finite_elements_graded, ellipse_4_1, rounded_square, rectangle_10_1, accuracy_of_methods,
+    finite_elements_graded, ellipse_4_1, rounded_square, rectangle_10_1, notch_1, clef_200, coast_192, accuracy_of_methods,
     accuracy_and_convergence,
     // invariants
     compute_invariants, invariants_explained, four_marks, four_marks_tooltip, second_point,

@@ -23,11 +23,11 @@ keys_of_labels! {
     // surface
     surface_file_no_triangles, topology_empty, item_glb_version, item_file_length, item_chunk_length, item_chunk_type,
     item_json_chunk, item_default_scene, item_node, item_position, item_data, item_accessor, item_buffer_view,
-    item_buffer, item_viewed_data, item_vertex, item_face, item_corner_count, item_off_keyword, item_vertex_count,
+    item_buffer, item_viewed_data, item_vertex, item_face, item_corner_count, item_off_keyword, item_off_number, item_vertex_count,
     item_face_count, item_list_length, item_property, item_list, item_vertex_coordinate, item_face_property,
     item_face_corner, item_element_count, item_property_element, item_format_line, item_header_end,
-    item_property_name, item_triangle_count, item_triangle_normal, item_triangle_end, unsupported_sparse_accessor,
-    unsupported_encoding, unsupported_binary_off, unsupported_strips, fault_no_glb, fault_node_twice, fault_no_ply,
+    item_property_name, item_triangle_count, item_triangle_normal, item_triangle_end,
+    unsupported_encoding, fault_no_glb, fault_node_twice, fault_no_ply,
     fault_list_length_type,
     // conformal
     pins_turned, map_on_boundary, map_loop_anchor_not_finite, walk_no_boundary, integral_of_surface, stays_no_curve, equation_travels_apart, integral_no_curve, integral_apart,
@@ -84,6 +84,10 @@ keys_of_messages! {
     outline_file_too_large(bytes, limit); outline_file_not_utf8(offset); outline_file_json(message, line, column);
     outline_file_number_out_of_range(line, column); outline_file_not_a_number(found, line, column);
     outline_file_missing_number(line, column); outline_file_numbers_on_line(count, line);
+    outline_file_not_understood(text, line); outline_file_reference_system(name); outline_file_no_parts(wanted);
+    outline_file_no_such_number(wanted, count); outline_file_no_such_part(wanted, count, names);
+    outline_shape_taken(number, count); outline_named_shape_taken(number, count, name);
+    outline_repeated_points_dropped(count); outline_columns_dropped(count); lists_of_different_length(x, y);
     outline_file_odd_numbers(count); outline_file_not_a_point(point, found); outline_file_not_an_outline(found);
     outline_file_geo_json(message); outline_file_ring_not_closed(ring, x, y, end_x, end_y); outline_file_svg(message);
     outline_file_no_closed_path(paths); sampling_too_few(count); sampling_too_many(limit, count);
@@ -103,22 +107,23 @@ keys_of_messages! {
     surface_file_too_large(bytes, limit); surface_file_too_many_triangles(place, limit);
     surface_file_unknown_format(extension); surface_file_not_a_number(place, found);
     surface_file_not_finite(place, vertex); surface_file_missing(place, what);
-    surface_file_index_out_of_range(vertices, place, index); surface_file_corners(count, place, limit);
+    surface_file_index_out_of_range(vertices, place, index);
     surface_file_unsupported(place, what); surface_note_triangulated(polygons); surface_note_welded(before, after);
-    surface_note_surplus(place); topology_index_out_of_range(vertices, triangle, vertex);
+    surface_note_left_apart(vertices); surface_note_dropped_faces(count); surface_note_surplus(place); topology_index_out_of_range(vertices, triangle, vertex);
     topology_not_finite(vertex, limit); topology_too_small(extent, limit);
     topology_repeated_corner(count, triangle, corners); topology_degenerate(count, triangle, corners);
     topology_duplicates(count, triangle, corners, other); topology_non_manifold_edge(count, start, end, triangles);
     topology_orientation(count, start, end, left, right); topology_one_sided(triangle);
     topology_non_manifold_vertex(count, vertex, fans); topology_unreferenced(count, vertex); topology_closed(genus);
-    topology_genus(genus); repair_dropped_triangles(count); repair_dropped_duplicates(count); repair_oriented(count);
+    topology_genus(genus); repair_dropped_triangles(count); repair_dropped_duplicates(count); repair_merged_vertices(count);
+    repair_flipped_flat(count); repair_split_vertices(count); repair_joined(count); repair_oriented(count);
     repair_kept_largest(dropped, components); repair_dropped_vertices(count); surface_file_malformed(place, fault);
     topology_components(count, sizes); topology_loops(count, loops); topology_no_loop(count, loops, asked); topology_flat_hole(count, hole);
     boundary_loop(length, vertices, first);
     repair_filled_hole(triangles); repair_filled_holes(holes, triangles); place_line(line); place_byte(offset);
     item_element(index, count); item_corner(index, count); item_vertex_property(name);
     item_triangle_corner(triangle, count); item_named_coordinate(name); unsupported_version(version);
-    unsupported_separate_file(name); unsupported_dimensions(keyword); fault_no_gltf(message); fault_mode(mode);
+    unsupported_separate_file(name); unsupported_extension(name); unsupported_dimensions(keyword); fault_no_gltf(message); fault_mode(mode);
     fault_base64(position); fault_list_length(length); fault_unknown_word(word); fault_unknown_format(format);
     fault_no_type(word); fault_count(what, found); fault_accessor_type(found, component, needed); item_chunk(length);
     fault_corner_count(count);
@@ -130,7 +135,8 @@ keys_of_messages! {
     pin_count(count, most); pin_not_finite(pin, side); pins_coincide(first, second, side);
     pins_out_of_order(first, second, third); pins_not_found(side); pin_missed(pin, miss);
     map_not_converged(side, reason); map_boundary_integral(side, reason);
-    integral_too_large(needed, limit); integral_not_inside(x, y); integral_not_meshed(reason);
+    integral_too_large(needed, limit); integral_too_much_memory(limit);
+    integral_corner_not_resolved(x, y); integral_not_inside(x, y); integral_not_meshed(reason);
     stays_few_points(count); stays_many_corners(corners, count); stays_leaves_edge(x, y); stays_crosses_itself(x, y);
     stays_path_crosses(x, y);
     // rational

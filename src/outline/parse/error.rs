@@ -73,6 +73,14 @@ pub enum OutlineError {
         /// How many numbers the line has.
         count: usize,
     },
+    /// A line of a table that is neither a row of numbers nor a title or a remark.
+    #[error("line {line} is not understood: \"{text}\"")]
+    NotUnderstood {
+        /// Number of the line.
+        line: usize,
+        /// Its text, shortened.
+        text: String,
+    },
     /// A list of points on one line has an odd number of numbers.
     #[error("{}", counted!(
         *count,
@@ -119,6 +127,22 @@ pub enum OutlineError {
         /// The ring's last point.
         last: DVec2,
     },
+    /// `GeoJSON` whose coordinates are not longitude and latitude although these are needed.
+    #[error("the coordinates are in {name}: convert them to longitude and latitude (EPSG:4326)")]
+    ReferenceSystem {
+        /// Name of the reference system.
+        name: String,
+    },
+    /// There is no shape or feature of this name or number.
+    #[error("{}", no_such_part(wanted, *count, names))]
+    NoSuchPart {
+        /// What was asked for.
+        wanted: String,
+        /// How many there are.
+        count: usize,
+        /// The names of those that have one, in a row, shortened.
+        names: String,
+    },
     /// Invalid SVG, or SVG that is nested too deeply.
     #[error("this SVG cannot be read: {fault}")]
     Svg {
@@ -137,4 +161,12 @@ pub enum OutlineError {
     /// The points do not form a simple polygon.
     #[error(transparent)]
     Polygon(#[from] PolygonError),
+}
+
+fn no_such_part(wanted: &str, count: usize, names: &str) -> String {
+    match (count, names) {
+        (0, _) => format!("there is no part \"{wanted}\": the file holds a single outline"),
+        (_, "") => format!("there is no part \"{wanted}\": they are numbered from 1 to {count}"),
+        (_, names) => format!("there is no part \"{wanted}\": they are numbered from 1 to {count} and named {names}"),
+    }
 }

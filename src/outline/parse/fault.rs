@@ -68,6 +68,14 @@ pub enum JsonFault {
     /// An object without `points`.
     #[error("an object without \"points\"")]
     NoPoints,
+    /// The lists of coordinates have different lengths.
+    #[error("{x} numbers in \"x\" and {y} in \"y\"")]
+    Lengths {
+        /// Length of the list `x`.
+        x: usize,
+        /// Length of the list `y`.
+        y: usize,
+    },
     /// Neither an object nor a list.
     #[error("{0}")]
     Value(JsonKind),

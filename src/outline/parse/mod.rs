@@ -1,4 +1,4 @@
-//! Outlines from files: JSON, `GeoJSON`, SVG, and tables of numbers.
+//! Outlines from files: JSON, `GeoJSON`, SVG, well-known text, and tables of numbers.
 //!
 //! Every reader yields one closed chain of points, which then becomes a
 //! [`SimplePolygon`]. Nothing is repaired silently: what was left out or
@@ -9,20 +9,25 @@ mod error;
 mod fault;
 mod geojson;
 mod json;
+mod part;
 mod point_list;
 mod repair;
 mod ring;
 mod svg;
 mod svg_exact;
 mod svg_path;
+mod svg_shapes;
 mod table;
+mod well_known_text;
 
 use super::{CurveForm, CurveSource, Outline, OutlineNote, Segment, flattened};
 use crate::geometry::{DVec2, SimplePolygon};
+use crate::utf16::decoded;
 pub use error::OutlineError;
 pub use fault::{GeoJsonFault, JsonFault, JsonKind, PointFault, SvgFault};
 pub use geojson::GeoRing;
 use ring::Ring;
+use std::borrow::Cow;
 
 /// The largest accepted file size.
 pub const MAX_BYTES: usize = 64 << 20;
@@ -33,76 +38,119 @@ enum Format {
     Svg,
     /// The `d` attribute of an SVG path, on its own.
     SvgPathData,
+    /// `POLYGON ((…))`.
+    WellKnownText,
     /// All points on one line.
     PointList,
     Table,
 }
 
-/// Reads an outline from a file's name and bytes.
-///
-/// The extension decides the format (`json`, `geojson`, `svg`, `csv`, `tsv`);
-/// with any other, the first character does. The outline's name is the one in
-/// the file, or else the file's stem.
-///
-/// - JSON: `[[x, y], …]` or `{"name": …, "points": [[x, y], …]}`;
-/// - `GeoJSON`: the outer ring of largest area; holes are left out;
-/// - SVG: the first closed path in document order, transformed, with y upwards; of several closed subpaths the
-///   largest. Its lines, arcs and Bézier curves are kept; the polygon is flattened from them;
-/// - tables: two numbers on a line, between them spaces, a tab, a comma or a
-///   semicolon; `#` begins a comment; the first line may be a header;
-/// - with any other extension or none, also the data of an SVG path (`M 0 0 L …`), and points on one
-///   line, as in an SVG polygon.
-///
-/// A last point equal to the first is dropped. Files may have up to
-/// [`MAX_BYTES`], and outlines up to 200,000 points.
-pub fn parse(file_name: &str, bytes: &[u8]) -> Result<Outline, OutlineError> {
-    let ring = read(file_name, bytes)?;
-    outline(ring, stem_and_extension(file_name).0)
+/// What is read of a file, and how.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Reading<'a> {
+    /// Whether what makes the outline cross or touch itself is mended where one part of it is much larger than the others;
+    /// a note says so.
+    pub repair: bool,
+    /// The shape of an SVG file or the feature of a `GeoJSON` file, by its name or its number from 1; by default the
+    /// largest.
+    pub part: Option<&'a str>,
 }
 
-/// Like [`parse`], but where the outline touches itself in a vertex or folds back, the smaller part is
-/// removed and a note says so; crossings stay errors.
-pub fn parse_repaired(file_name: &str, bytes: &[u8]) -> Result<Outline, OutlineError> {
-    let mut ring = read(file_name, bytes)?;
-    let dropped = repair::cut_loops_and_spikes(&mut ring.points);
-    if dropped > 0 {
+/// Reads an outline from a file's name and bytes, as [`parse_as`] without repairs.
+pub fn parse(file_name: &str, bytes: &[u8]) -> Result<Outline, OutlineError> {
+    parse_as(file_name, bytes, &Reading::default())
+}
+
+/// Reads an outline from a file's name and bytes.
+///
+/// The content decides the format, and the outline's name is the one in the file, or else the file's stem.
+///
+/// - JSON: `[[x, y], …]`, `{"name": …, "points": [[x, y], …]}` or `{"x": […], "y": […]}`;
+/// - `GeoJSON`: the outer ring of largest area; holes are left out;
+/// - SVG: the shape of the largest painted area, in user space, with y upwards; a background is none. Its lines, arcs
+///   and Bézier curves are kept; the polygon is flattened from them;
+/// - the data of an SVG path (`M 0 0 L …`) without the rest; well-known text (`POLYGON ((x y, …))`);
+/// - tables: two numbers on a line, between them blanks, a tab, a comma or a semicolon, with titles, headers, remarks
+///   and a third column (`table`); airfoils as Selig and Lednicer write them;
+/// - points on one line, as in an SVG polygon.
+///
+/// Repeated points are dropped, and a last point equal to the first up to rounding is. Files may have up to
+/// [`MAX_BYTES`], and outlines up to 200,000 points.
+pub fn parse_as(file_name: &str, bytes: &[u8], how: &Reading) -> Result<Outline, OutlineError> {
+    outline(mended(read(bytes, how.part)?, how), stem(file_name))
+}
+
+/// As [`parse_as`], with the points of the file in its order: those of a list, or where the segments of a path begin. A
+/// point that repeats another one is among them, but not a last one that repeats the first.
+pub fn parse_with_vertices(
+    file_name: &str,
+    bytes: &[u8],
+    how: &Reading,
+) -> Result<(Outline, Vec<DVec2>), OutlineError> {
+    let ring = read(bytes, how.part)?;
+    let vertices =
+        if ring.segments.is_empty() { ring.points.clone() } else { ring.segments.iter().map(Segment::start).collect() };
+    Ok((outline(mended(ring, how), stem(file_name))?, vertices))
+}
+
+fn mended(mut ring: Ring, how: &Reading) -> Ring {
+    ring.drop_repeated_points();
+    if how.repair
+        && let Some(note) = repair::mend(&mut ring.points)
+    {
         // the path has the loops that the points no longer have
         ring.segments.clear();
-        ring.notes.push(OutlineNote::Repaired { dropped });
+        ring.notes.push(note);
     }
-    outline(ring, stem_and_extension(file_name).0)
+    ring
 }
 
 /// Reads a table of points that are no outline: two numbers on a line, as in a table of [`parse`]. At least one point;
 /// their number is limited by [`MAX_BYTES`] only.
 pub fn parse_points(bytes: &[u8]) -> Result<Vec<DVec2>, OutlineError> {
-    table::points(text(bytes)?)
+    table::points(&text(bytes)?)
 }
 
-/// Reads the outer rings of all polygons of a `GeoJSON` file (RFC 7946), in its order and with its numbers: nothing is
-/// projected, closed, reversed or checked but the structure. Holes are counted and left out.
-pub fn parse_geo_rings(bytes: &[u8]) -> Result<Vec<GeoRing>, OutlineError> {
-    json::read_geo_rings(text(bytes)?)
+/// Reads the outer rings of all polygons of a `GeoJSON` file (RFC 7946), or of one feature, in its order and with its
+/// numbers: nothing is projected or reversed; holes are counted and left out. With [`Reading::repair`], rings that cross
+/// or touch themselves in the plane of longitude and latitude are mended.
+pub fn parse_geo_rings(bytes: &[u8], how: &Reading) -> Result<Vec<GeoRing>, OutlineError> {
+    let mut rings = json::read_geo_rings(&text(bytes)?, how.part)?;
+    if how.repair {
+        rings.iter_mut().for_each(GeoRing::mend);
+    }
+    Ok(rings)
 }
 
-/// The file as text, which is not blank.
-fn text(bytes: &[u8]) -> Result<&str, OutlineError> {
+/// The file as text, which is not blank: UTF-8, UTF-16 with a byte-order mark, or the Latin-1 of a table whose titles have
+/// umlauts. Other bytes are refused.
+fn text(bytes: &[u8]) -> Result<Cow<'_, str>, OutlineError> {
     if bytes.len() > MAX_BYTES {
         return Err(OutlineError::TooLarge { bytes: bytes.len() });
     }
-    let text = std::str::from_utf8(bytes).map_err(|e| OutlineError::NotUtf8 { offset: e.valid_up_to() })?;
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let text = match (decoded(bytes), std::str::from_utf8(bytes)) {
+        (Some(text), _) => Cow::Owned(text),
+        (None, Ok(text)) => Cow::Borrowed(text.strip_prefix('\u{feff}').unwrap_or(text)),
+        (None, Err(_)) if bytes.iter().all(|&b| b >= b' ' && b != 0x7f || b.is_ascii_whitespace()) => {
+            Cow::Owned(bytes.iter().map(|&b| char::from(b)).collect())
+        }
+        (None, Err(error)) => return Err(OutlineError::NotUtf8 { offset: error.valid_up_to() }),
+    };
     if text.trim().is_empty() { Err(OutlineError::Empty) } else { Ok(text) }
 }
 
-fn read(file_name: &str, bytes: &[u8]) -> Result<Ring, OutlineError> {
+fn read(bytes: &[u8], part: Option<&str>) -> Result<Ring, OutlineError> {
     let text = text(bytes)?;
-    match format_of(stem_and_extension(file_name).1, text) {
-        Format::Json => json::read(text),
-        Format::Svg => svg::read(text),
-        Format::SvgPathData => svg::read_path_data(text),
-        Format::PointList => point_list::read(text),
-        Format::Table => table::read(text),
+    let text = text.as_ref();
+    let format = format_of(text);
+    match (format, part) {
+        (Format::Json, _) => json::read(text, part),
+        (Format::Svg, _) => svg::read(text, part),
+        (_, Some(wanted)) => Err(part::single(wanted)),
+        (Format::SvgPathData, None) => svg::read_path_data(text),
+        (Format::WellKnownText, None) => well_known_text::read(text),
+        (Format::PointList, None) => point_list::read(text),
+        (Format::Table, None) => table::read(text),
     }
 }
 
@@ -122,29 +170,21 @@ fn outline(ring: Ring, stem: &str) -> Result<Outline, OutlineError> {
     Ok(Outline::new(name, polygon).with_form(CurveForm::of_source(source)).with_notes(notes))
 }
 
-/// `("leaf", "json")` from `some/folder/leaf.json`.
-fn stem_and_extension(file_name: &str) -> (&str, &str) {
+/// `leaf` from `some/folder/leaf.json`.
+fn stem(file_name: &str) -> &str {
     let base = file_name.rsplit(['/', '\\']).next().unwrap_or(file_name);
-    match base.rsplit_once('.') {
-        Some((stem, extension)) if !stem.is_empty() => (stem, extension),
-        _ => (base, ""),
-    }
+    base.rsplit_once('.').map(|(stem, _)| stem).filter(|stem| !stem.is_empty()).unwrap_or(base)
 }
 
-fn format_of(extension: &str, text: &str) -> Format {
-    match extension.to_ascii_lowercase().as_str() {
-        "json" | "geojson" => Format::Json,
-        "svg" => Format::Svg,
-        "csv" | "tsv" => Format::Table,
-        _ => match text.trim_start().chars().next() {
-            Some('[' | '{') => Format::Json,
-            Some('<') => Format::Svg,
-            Some('M' | 'm') if text.chars().all(|c| "MmLlHhVvCcSsQqTtAaZz0123456789eE+-., \t\r\n".contains(c)) => {
-                Format::SvgPathData
-            }
-            _ if point_list::is_one(text) => Format::PointList,
-            _ => Format::Table,
-        },
+/// The format of a text, by its content: names end in anything.
+fn format_of(text: &str) -> Format {
+    match text.trim_start().chars().next() {
+        Some('[' | '{') => Format::Json,
+        Some('<') => Format::Svg,
+        Some('M' | 'm') if svg_exact::is_path_data(text) => Format::SvgPathData,
+        _ if well_known_text::is_one(text) => Format::WellKnownText,
+        _ if point_list::is_one(text) => Format::PointList,
+        _ => Format::Table,
     }
 }
 

@@ -18,7 +18,7 @@ pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
     if !numbers.len().is_multiple_of(2) {
         return Err(OutlineError::OddNumbers { count: numbers.len() });
     }
-    Ok(Ring::implicitly_closed(numbers.chunks_exact(2).map(DVec2::from_slice).collect()))
+    Ok(Ring::of(numbers.chunks_exact(2).map(DVec2::from_slice).collect()))
 }
 
 /// The fields with their columns, from 1.

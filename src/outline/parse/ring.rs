@@ -1,8 +1,11 @@
 //! A closed chain of points, before it is checked.
 
-use super::super::{Segment, flattened};
+use super::super::Segment;
 use super::OutlineNote;
-use crate::geometry::DVec2;
+use crate::geometry::{Bounds, DVec2};
+
+/// First and last points that differ by less, in sizes of the chain, are one: sin(2π) is not 0.
+const SAME_POINT: f64 = 1e-9;
 
 /// The chain found by a reader, with its notes.
 #[derive(Debug, Default)]
@@ -16,15 +19,30 @@ pub(super) struct Ring {
 }
 
 impl Ring {
-    /// A chain from a format in which closing is implicit: a last point equal
-    /// to the first is dropped, with a note.
-    pub fn implicitly_closed(mut points: Vec<DVec2>) -> Self {
-        let mut notes = Vec::new();
-        if points.len() > 3 && points.first() == points.last() {
-            points.pop();
-            notes.push(OutlineNote::ClosingPointDropped);
+    /// A chain of a format in which closing is implicit.
+    pub fn of(points: Vec<DVec2>) -> Self {
+        Self { points, ..Self::default() }.implicitly_closed()
+    }
+
+    /// The chain without a last point equal to the first up to rounding, which is dropped with a note.
+    pub fn implicitly_closed(mut self) -> Self {
+        if let [first, .., last] = *self.points.as_slice()
+            && self.points.len() > 3
+            && first.distance(last) <= SAME_POINT * Bounds::of(self.points.iter().copied()).size().max_element()
+        {
+            self.points.pop();
+            self.notes.push(OutlineNote::ClosingPointDropped);
         }
-        Self { points, notes, ..Self::default() }
+        self
+    }
+
+    /// Drops points equal to the one before them, with a note. The points of a path have none.
+    pub fn drop_repeated_points(&mut self) {
+        let before = self.points.len();
+        self.points.dedup();
+        if self.points.len() < before {
+            self.notes.push(OutlineNote::RepeatedPointsDropped { count: before - self.points.len() });
+        }
     }
 
     /// The candidate of largest area, with a note if there were several.
@@ -34,13 +52,6 @@ impl Ring {
         let points = candidates.into_iter().nth(index)?;
         let notes = if rings > 1 { vec![OutlineNote::LargestOf { rings }] } else { Vec::new() };
         Some(Self { points, notes, ..Self::default() })
-    }
-
-    /// The closed path of largest area, with a note if there were several.
-    pub fn largest_path_of(mut paths: Vec<Vec<Segment>>) -> Option<Self> {
-        let polygons: Vec<Vec<DVec2>> = paths.iter().map(|path| flattened(path)).collect();
-        let index = largest(&polygons)?;
-        Some(Self { segments: paths.swap_remove(index), ..Self::largest_of(polygons)? })
     }
 }
 
@@ -52,7 +63,16 @@ pub(super) fn largest(candidates: &[Vec<DVec2>]) -> Option<usize> {
 
 /// The area inside a chain, used for comparison only; overflow is possible.
 pub(super) fn area(points: &[DVec2]) -> f64 {
+    signed_area(points).abs()
+}
+
+/// The area to the left of a closed chain.
+pub(super) fn signed_area(points: &[DVec2]) -> f64 {
     let Some(&origin) = points.first() else { return 0.0 };
-    let wrapped = points.iter().zip(points.iter().cycle().skip(1));
-    wrapped.map(|(&a, &b)| (a - origin).perp_dot(b - origin)).sum::<f64>().abs()
+    0.5 * edges(points).map(|[a, b]| (a - origin).perp_dot(b - origin)).sum::<f64>()
+}
+
+/// The edges of a closed chain.
+pub(super) fn edges(points: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> + '_ {
+    points.iter().zip(points.iter().cycle().skip(1)).map(|(&a, &b)| [a, b])
 }

@@ -1,21 +1,23 @@
-//! SVG: the first closed path in document order.
+//! SVG: the shape of the largest painted area (`svg_shapes`), or the one that is asked for.
 //!
-//! `usvg` resolves shapes, styles, transforms and `use`; its coordinates are
+//! Coordinates are those of the drawing's user space, which its `viewBox` describes, with y upwards. `usvg` resolves
+//! shapes, styles, transforms and `use`; its coordinates are
 //! single precision, about 1e-7 of the drawing's size, so the numbers of the path itself are taken from the document
 //! where it has them (`svg_exact`). Images and external
-//! files are never opened; paints, clips, masks, markers and filters, which
+//! files are never opened; gradients, clips, masks, markers and filters, which
 //! do not change an outline, are disabled. Because `usvg` recurses over the
 //! document, nesting and chains of `use` are checked against limits first.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use usvg::roxmltree::{Document, ParsingOptions};
-use usvg::{Group, ImageHrefResolver, Node, Options, Tree};
+use usvg::{ImageHrefResolver, Options, Tree};
 
 use super::ring::Ring;
-use super::svg_exact;
 use super::svg_path::{Subpath, with_common_tangents};
-use super::{OutlineError, SvgFault};
+use super::svg_shapes::{self, Page, Shape};
+use super::{OutlineError, OutlineNote, SvgFault, part, svg_exact};
+use crate::outline::flattened;
 
 /// The largest nesting depth of elements; drawings have about 10.
 const MAX_DEPTH: usize = 64;
@@ -25,54 +27,69 @@ const MAX_USE_CHAIN: usize = 4;
 
 const MAX_NODES: u32 = 1_000_000;
 
-pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
-    let failed = |message: String| OutlineError::Svg { fault: SvgFault::Reader(message) };
-    let options = ParsingOptions { allow_dtd: true, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
-    // The replacement has the same length, so that positions in messages stay correct.
+/// Reads the shape with the id or the number `wanted`, or the largest one.
+pub(super) fn read(text: &str, wanted: Option<&str>) -> Result<Ring, OutlineError> {
+    // The replacements have the same length, so that positions in messages stay correct.
     let text = text.replace("url(", "off(");
-    let document = Document::parse_with_options(&text, options).map_err(|e| failed(e.to_string()))?;
+    let text = without_size(&parsed(&text)?).unwrap_or(text);
+    let document = parsed(&text)?;
     check_nesting(&document)?;
     let image_href_resolver =
         ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = Options { image_href_resolver, ..Options::default() };
     let tree = Tree::from_xmltree(&document, &options).map_err(|e| failed(e.to_string()))?;
-    first_closed_path(&document, &tree)
+    let page = Page::of(&document);
+    let shapes = svg_shapes::shapes(&tree, page.as_ref());
+    let names: Vec<Option<&str>> = shapes.iter().map(Shape::name).collect();
+    let index = match wanted {
+        Some(wanted) => match svg_shapes::largest(&shapes, |shape| shape.name() == Some(wanted)) {
+            Some(index) => index,
+            None => part::find(wanted, &names)?,
+        },
+        None => svg_shapes::largest(&shapes, |_| true).ok_or_else(|| match svg_shapes::path_count(&tree) {
+            0 => OutlineError::NoPath,
+            paths => OutlineError::NoClosedPath { paths },
+        })?,
+    };
+    Ok(ring(&document, &shapes[index], page.as_ref(), shapes[index].notes(index + 1, shapes.len())))
 }
 
 /// Reads the content of a path's `d` attribute. It holds no quotes or brackets.
 pub(super) fn read_path_data(data: &str) -> Result<Ring, OutlineError> {
-    read(&format!("<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"{data}\"/></svg>"))
+    read(&format!("<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"{data}\"/></svg>"), None)
 }
 
-fn first_closed_path(document: &Document, tree: &Tree) -> Result<Ring, OutlineError> {
-    let mut paths = 0;
-    let mut stack: Vec<std::slice::Iter<Node>> = vec![children(tree.root())];
-    while let Some(level) = stack.last_mut() {
-        match level.next() {
-            None => drop(stack.pop()),
-            Some(Node::Group(group)) => stack.push(children(group)),
-            Some(Node::Path(path)) => {
-                paths += 1;
-                let rounded = Subpath::of(path.data());
-                if !rounded.iter().any(Subpath::is_closed) {
-                    continue; // finding its exact numbers takes a pass over the document
-                }
-                let subpaths = svg_exact::subpaths(document, path.data()).unwrap_or(rounded);
-                let place = |subpath: &Subpath| with_common_tangents(subpath.placed(path.abs_transform()));
-                let closed = subpaths.iter().filter(|subpath| subpath.is_closed()).map(place);
-                if let Some(ring) = Ring::largest_path_of(closed.collect()) {
-                    let name = (!path.id().is_empty()).then(|| path.id().to_owned());
-                    return Ok(Ring { name, ..ring });
-                }
-            }
-            Some(_) => {}
-        }
+fn failed(message: String) -> OutlineError {
+    OutlineError::Svg { fault: SvgFault::Reader(message) }
+}
+
+fn parsed(text: &str) -> Result<Document<'_>, OutlineError> {
+    let options = ParsingOptions { allow_dtd: true, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
+    Document::parse_with_options(text, options).map_err(|e| failed(e.to_string()))
+}
+
+/// The text without the size in which a drawing with a `viewBox` is to be shown: coordinates are those of its user space,
+/// not pixels. `None` if there is nothing to leave out.
+fn without_size(document: &Document) -> Option<String> {
+    let root = document.root_element();
+    svg_shapes::view_box(document)?;
+    let mut text = document.input_text().to_owned();
+    let size = root.attributes().filter(|a| a.namespace().is_none() && matches!(a.name(), "width" | "height"));
+    for range in size.map(|attribute| attribute.range_qname()) {
+        text.replace_range(range.clone(), &"_".repeat(range.len()));
     }
-    Err(if paths == 0 { OutlineError::NoPath } else { OutlineError::NoClosedPath { paths } })
+    Some(text)
 }
 
-fn children(group: &Group) -> std::slice::Iter<'_, Node> {
-    group.children().iter()
+/// The outline around a shape, with the document's numbers where they are found.
+fn ring(document: &Document, shape: &Shape, page: Option<&Page>, notes: Vec<OutlineNote>) -> Ring {
+    let (rounded, path) = (Subpath::of(shape.path.data()), shape.path);
+    let placement = svg_shapes::placement(path, page);
+    let (subpaths, placement) = svg_exact::subpaths(document, path.data(), placement)
+        .filter(|(subpaths, _)| subpaths.len() == rounded.len())
+        .unwrap_or((rounded, placement));
+    let segments = with_common_tangents(subpaths[shape.subpath].placed(placement));
+    Ring { name: shape.name().map(str::to_owned), points: flattened(&segments), notes, segments }
 }
 
 /// Checks the nesting depth of the document and of the references in it.

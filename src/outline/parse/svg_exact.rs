@@ -6,6 +6,7 @@
 
 use std::f64::consts::TAU;
 
+use glam::DAffine2;
 use svgtypes::{PathParser, PathSegment as Command, PointsParser};
 use usvg::roxmltree::{Document, Node};
 use usvg::tiny_skia_path::{Path, PathSegment};
@@ -15,12 +16,48 @@ use super::super::corners::turn_between;
 use super::svg_path::Subpath;
 use crate::geometry::DVec2;
 
-/// The subpaths of the document's element that has the points of `path`; `None` if there is none.
-pub(super) fn subpaths(document: &Document, path: &Path) -> Option<Vec<Subpath>> {
+/// The subpaths of the document's element that has the points of `path`, and where the document places it: as `placement`
+/// up to rounding, which else is taken. `None` if there is no such element.
+pub(super) fn subpaths(document: &Document, path: &Path, placement: DAffine2) -> Option<(Vec<Subpath>, DAffine2)> {
     let elements = document.descendants().filter(Node::is_element);
-    let mut found = elements.filter_map(shape).find(|subpaths| is_same(subpaths, path))?;
-    found.retain(|subpath| !subpath.segments().is_empty());
-    Some(found)
+    let same = |element| shape(element).filter(|subpaths| is_same(subpaths, path)).map(|found| (element, found));
+    let mut first = None;
+    for (element, mut found) in elements.filter_map(same) {
+        found.retain(|subpath| !subpath.segments().is_empty());
+        if let Some(exact) = transform(element).filter(|exact| agree(exact, &placement, path)) {
+            return Some((found, exact));
+        }
+        first.get_or_insert((found, placement));
+    }
+    first
+}
+
+/// Whether a text is the data of a path that draws something.
+pub(super) fn is_path_data(text: &str) -> bool {
+    of_data(text).is_some_and(|subpaths| subpaths.iter().any(|subpath| !subpath.segments().is_empty()))
+}
+
+/// The product of the transforms of an element and those around it; `None` where one cannot be read.
+fn transform(element: Node) -> Option<DAffine2> {
+    let own = |node: Node| match node.attribute("transform") {
+        None => Some(DAffine2::IDENTITY),
+        Some(text) => {
+            let t: svgtypes::Transform = text.parse().ok()?;
+            Some(DAffine2::from_cols_array(&[t.a, t.b, t.c, t.d, t.e, t.f]))
+        }
+    };
+    element.ancestors().filter(Node::is_element).try_fold(DAffine2::IDENTITY, |inner, node| Some(own(node)? * inner))
+}
+
+/// Whether two placements of a path differ by rounding to single precision only.
+fn agree(exact: &DAffine2, rounded: &DAffine2, path: &Path) -> bool {
+    let bounds = path.bounds();
+    let [low, high] = [(bounds.left(), bounds.top()), (bounds.right(), bounds.bottom())]
+        .map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
+    let corners = [low, DVec2::new(low.x, high.y), DVec2::new(high.x, low.y), high];
+    let size =
+        rounded.translation.length() + corners.map(|p| rounded.transform_vector2(p).length()).iter().sum::<f64>();
+    corners.iter().all(|&p| exact.transform_point2(p).distance(rounded.transform_point2(p)) <= ROUNDING * size)
 }
 
 fn shape(element: Node) -> Option<Vec<Subpath>> {
@@ -119,7 +156,7 @@ fn of_data(data: &str) -> Option<Vec<Subpath>> {
             continue;
         }
         let last = subpaths.last_mut()?;
-        if last.is_closed() && !last.segments().is_empty() && !matches!(command, Command::ClosePath { .. }) {
+        if last.is_closed_explicitly() && !matches!(command, Command::ClosePath { .. }) {
             // drawing on after closing begins a new subpath
             let start = last.start();
             subpaths.push(Subpath::at(start));

@@ -3,7 +3,7 @@
 //! `usvg` gives every path as lines and Bézier curves in single precision. Where the document has the same path as plain
 //! numbers (`svg_exact`), those are taken instead, with its arcs; `usvg`'s transform is applied to them.
 
-use usvg::Transform;
+use glam::DAffine2;
 use usvg::tiny_skia_path::{Path, PathSegment, Point};
 
 use super::super::Segment;
@@ -75,18 +75,22 @@ impl Subpath {
         self.closed_explicitly = true;
     }
 
+    /// Whether it was closed explicitly.
+    pub fn is_closed_explicitly(&self) -> bool {
+        self.closed_explicitly
+    }
+
     /// Whether the subpath was closed explicitly or ends where it starts.
     pub fn is_closed(&self) -> bool {
         self.closed_explicitly || self.end() == self.start
     }
 
     /// The closed chain of segments with positive length, transformed, y upwards.
-    pub fn placed(&self, transform: Transform) -> Vec<Segment> {
-        let [sx, kx, ky, sy, tx, ty] =
-            [transform.sx, transform.kx, transform.ky, transform.sy, transform.tx, transform.ty].map(f64::from);
-        // SVG's y points down.
-        let turn = |p: DVec2| DVec2::new(sx * p.x + kx * p.y, -(ky * p.x + sy * p.y));
-        let place = |p: DVec2| turn(p) + DVec2::new(tx, -ty);
+    pub fn placed(&self, placement: DAffine2) -> Vec<Segment> {
+        // SVG's y points down
+        let upwards = |p: DVec2| DVec2::new(p.x, -p.y);
+        let turn = |p: DVec2| upwards(placement.transform_vector2(p));
+        let place = |p: DVec2| upwards(placement.transform_point2(p));
         let placed = |segment: &Segment| match *segment {
             Segment::Line(ends) => Segment::Line(ends.map(place)),
             Segment::Cubic(control) => Segment::Cubic(control.map(place)),
@@ -158,7 +162,7 @@ pub(super) fn with_common_tangents(mut segments: Vec<Segment>) -> Vec<Segment> {
     let n = segments.len();
     for k in 0..n {
         let before = (k + n - 1) % n;
-        let turn = match (out_of(&segments[before]), into(&segments[k])) {
+        let turn = match (out_of(&segments[before]), segments[k].direction()) {
             (Some(a), Some(b)) => turn_between(a, b),
             _ => continue,
         };
@@ -182,13 +186,7 @@ pub(super) fn with_common_tangents(mut segments: Vec<Segment>) -> Vec<Segment> {
     segments
 }
 
-/// The direction at the beginning, if it has one.
-fn into(segment: &Segment) -> Option<DVec2> {
-    let direction = crate::geometry::Piece::from(*segment).jet(0.0).first;
-    (direction != DVec2::ZERO).then_some(direction)
-}
-
-/// The direction at the end.
+/// The direction at the end, if it has one.
 fn out_of(segment: &Segment) -> Option<DVec2> {
-    into(&segment.reversed()).map(|direction| -direction)
+    segment.reversed().direction().map(|direction| -direction)
 }

@@ -99,3 +99,22 @@ fn retracted_handles_are_lines() {
     let (_, curve) = read("<path d='M 0 0 C 0 0 9 0 9 0 S 9 9 9 9 L 0 9 Z'/>");
     assert!(curve.curve().pieces().iter().all(Piece::is_straight) && curve.corner_count() == 4);
 }
+
+#[test]
+fn a_curve_with_a_retracted_handle_has_the_direction_of_the_other_one() {
+    // along x from (0, 0); at (9, 3) along the handle from (4, 0)
+    for content in ["<path d='M0 0C4 0 9 3 9 3L9 8L0 8Z'/>", "<path d='M9 3C9 3 4 0 0 0L0 8L9 8Z'/>"] {
+        let (_, curve) = read(content);
+        let pieces = curve.curve().pieces();
+        assert_eq!(curve.corner_count(), 4, "{content}: {pieces:?}");
+        let tip = pieces.iter().flat_map(|piece| [piece.jet(0.0), piece.jet(1.0)]);
+        let tip: Vec<f64> = tip
+            .filter(|jet| jet.position == DVec2::new(9.0, -3.0) && jet.first.x != 0.0)
+            .map(|jet| jet.first.y / jet.first.x)
+            .collect();
+        assert!(tip.len() == 1 && (tip[0] + 0.6).abs() < 1e-10, "{tip:?}");
+        let lengths = pieces.iter().zip(curve.curve().lengths());
+        let length: f64 = lengths.filter(|(piece, _)| !piece.is_straight()).map(|(_, length)| length).sum();
+        assert!(length > 9.4 && length < 9.7, "{length}");
+    }
+}

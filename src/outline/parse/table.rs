@@ -1,83 +1,97 @@
-//! Tables: two numbers on a line, separated by spaces, a tab, a comma or a semicolon.
+//! Tables of points: two columns of numbers, as programs export them.
 //!
-//! Blank lines and `#` comments are skipped. The first other line may be a
-//! header: two fields, each beginning with a letter and none of them a number.
+//! Blank lines, text after `#`, and lines that begin with `%` are skipped; `>` begins a further outline, of which the
+//! largest is taken. Lines of text before the first row of numbers are titles and headers, those after the last one
+//! remarks. Of more than two columns an index (0…n−1 or 1…n) is skipped, then x and y are those that the header names, or
+//! the first two; others are dropped, with a note unless they are constant. A line that is none of this is an error.
 
-use super::OutlineError;
+mod columns;
+mod rows;
+
 use super::ring::Ring;
+use super::{OutlineError, OutlineNote};
 use crate::geometry::DVec2;
+use columns::Columns;
+use rows::Row;
 
-/// A field and its column, from 1.
-type Field<'a> = (usize, &'a str);
+pub(super) use rows::number;
 
+/// The outline of a table: of its parts the one of largest area.
 pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
-    points(text).map(Ring::implicitly_closed)
+    let Table { parts, dropped } = table(text)?;
+    let mut ring = Ring::largest_of(parts.into_iter().map(airfoil).collect()).ok_or(OutlineError::Empty)?;
+    if dropped > 0 {
+        ring.notes.push(OutlineNote::ColumnsDropped { columns: dropped });
+    }
+    Ok(ring.implicitly_closed())
 }
 
 /// All points, in the order of their lines; at least one.
 pub(super) fn points(text: &str) -> Result<Vec<DVec2>, OutlineError> {
-    let mut points = Vec::new();
-    let mut first = true;
-    for (content, line) in text.lines().zip(1..) {
-        let content = content.split('#').next().unwrap_or_default();
-        if content.trim().is_empty() {
-            continue;
-        }
-        let fields = fields(content, line)?;
-        if !(std::mem::take(&mut first) && is_header(&fields)) {
-            points.push(point(&fields, line)?);
-        }
-    }
-    if points.is_empty() { Err(OutlineError::Empty) } else { Ok(points) }
+    table(text).map(|table| table.parts.concat())
 }
 
-/// The fields of a line; an error where a comma or semicolon has no field before or after it.
-fn fields(content: &str, line: usize) -> Result<Vec<Field<'_>>, OutlineError> {
-    let mut fields: Vec<Field> = Vec::new();
-    // Whether a separator was read and its next field is still missing.
-    let mut open = true;
-    let mut start = None;
-    let columns = content.char_indices().chain([(content.len(), ' ')]);
-    for ((offset, c), column) in columns.zip(1..) {
-        let separates = c.is_whitespace() || c == ',' || c == ';';
-        match start {
-            None if !separates => start = Some((offset, column)),
-            Some((from, at)) if separates => {
-                fields.push((at, &content[from..offset]));
-                (start, open) = (None, false);
-            }
-            _ => {}
-        }
-        if c == ',' || c == ';' {
-            if open {
-                return Err(OutlineError::MissingNumber { line, column });
-            }
-            open = true;
-        }
-    }
-    if open { Err(OutlineError::MissingNumber { line, column: content.chars().count() + 1 }) } else { Ok(fields) }
+struct Table {
+    /// The points between lines that begin with `>`; at least one.
+    parts: Vec<Vec<DVec2>>,
+    /// The number of columns that were left out although they vary.
+    dropped: usize,
 }
 
-fn is_header(fields: &[Field]) -> bool {
-    let is_title = |field: &str| {
-        let letters = field.trim_matches(['"', '\'']);
-        letters.starts_with(|c: char| c.is_alphabetic()) && letters.parse::<f64>().is_err()
+fn table(text: &str) -> Result<Table, OutlineError> {
+    let rows = rows::rows(text);
+    let first = rows.iter().position(Row::is_numeric).unwrap_or(0);
+    let (titles, rest) = rows.split_at(first);
+    titles.iter().try_for_each(Row::check_title)?;
+    let columns = rest.first().map_or(0, |row| row.fields.len());
+    let end = rest.iter().rposition(|row| !row.is_remark_after(columns)).map_or(rest.len(), |last| last + 1);
+    let rows = without_count(&rest[..end]);
+    let numbers: Vec<Vec<f64>> = rows.iter().map(Row::numbers).collect::<Result<_, _>>()?;
+    let width = numbers.first().ok_or(OutlineError::Empty)?.len().max(2);
+    if let Some(k) = (0..rows.len()).find(|&k| numbers[k].len() != width || (width > 2 && rows[k].is_mixed)) {
+        return Err(OutlineError::NumbersOnLine { line: rows[k].line, count: numbers[k].len() });
+    }
+    let columns = Columns::of(&numbers, titles.last());
+    let mut parts: Vec<Vec<DVec2>> = Vec::new();
+    for (row, numbers) in rows.iter().zip(&numbers) {
+        if parts.is_empty() || row.begins_part {
+            parts.push(Vec::new());
+        }
+        if let Some(part) = parts.last_mut() {
+            part.push(DVec2::new(numbers[columns.x], numbers[columns.y]));
+        }
+    }
+    Ok(Table { parts, dropped: columns.dropped })
+}
+
+/// The rows without a first one that is nothing but the number of the others.
+fn without_count<'a, 'b>(rows: &'a [Row<'b>]) -> &'a [Row<'b>] {
+    match rows {
+        [count, points @ ..] if count.single() == Some(points.len() as f64) => points,
+        all => all,
+    }
+}
+
+/// The points of an airfoil in Lednicer's order: its first row are the numbers of points on both sides, each of which runs
+/// from the leading edge, x = 0, to the trailing one, x = 1. Other lists as they are.
+fn airfoil(points: Vec<DVec2>) -> Vec<DVec2> {
+    let [counts, sides @ ..] = points.as_slice() else { return points };
+    let is_counted =
+        counts.min_element() >= 2.0 && counts.fract() == DVec2::ZERO && counts.element_sum() == sides.len() as f64;
+    if !is_counted {
+        return points;
+    }
+    let (upper, lower) = sides.split_at(counts.x as usize);
+    let is_side = |side: &[DVec2]| match side {
+        [first, .., last] => first.x.abs() <= EDGE && (last.x - 1.0).abs() <= EDGE,
+        _ => false,
     };
-    fields.len() == 2 && fields.iter().all(|(_, f)| is_title(f))
+    if !is_side(upper) || !is_side(lower) {
+        return points;
+    }
+    let lower = if upper.first() == lower.first() { &lower[1..] } else { lower };
+    upper.iter().rev().chain(lower).copied().collect()
 }
 
-fn point(fields: &[Field], line: usize) -> Result<DVec2, OutlineError> {
-    let numbers: Vec<f64> = fields.iter().map(|&field| number(field, line)).collect::<Result<_, _>>()?;
-    match numbers.as_slice() {
-        &[x, y] => Ok(DVec2::new(x, y)),
-        other => Err(OutlineError::NumbersOnLine { line, count: other.len() }),
-    }
-}
-
-pub(super) fn number((column, field): Field, line: usize) -> Result<f64, OutlineError> {
-    match field.parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
-        Ok(_) => Err(OutlineError::NumberOutOfRange { line, column }),
-        Err(_) => Err(OutlineError::NotANumber { line, column, found: field.chars().take(20).collect() }),
-    }
-}
+/// How far the edges of an airfoil may be from x = 0 and x = 1.
+const EDGE: f64 = 0.05;

@@ -36,6 +36,20 @@ fn the_same_triangle_in_every_format() {
         ("t.txt", "# a triangle\n\n  0 0\n4.0e0   0 # right\n0 , 3\n"),
         ("t", "\u{feff}0 0\n4 0\n0 3"),
         ("t.txt", "[[0,0],[4,0],[0,3]]"),
+        ("t.json", r#"{"x": [0, 4, 0], "y": [0, 0, 3]}"#),
+        ("t.json", r#"[{"x": 0, "y": 0}, {"x": 4, "y": 0}, {"x": 0, "y": 3}]"#),
+        ("t.csv", "\"0,0\";\"0\"\n\"4,0\";\"0,0\"\n0;3,00"),
+        ("t.csv", "\"0\",\"0\"\n\"4\",\"0\"\n\"0\",\"3\""),
+        ("t.txt", "0,0\t0,0\n4,0\t0,0\n0,0\t3,0"),
+        ("t.dat", "M12 made with 3 points\n0 0\n4 0\n0 3\nend of file\n"),
+        ("t.dat", "NACA 2412\n0.0 0.0\n4.0 0.0\n0.0 3.0\n"),
+        ("t.csv", "% from 2026\n> part\nx [mm], y [mm]\n0, 0\n4, 0\n0, 3\n"),
+        ("t.csv", "Nr;X;Y\n1;0;0\n2;4;0\n3;0;3\n"),
+        ("t.csv", ",x,y\n0,0,0\n1,4,0\n2,0,3\n"),
+        ("t.xyz", "0 0 7\n4 0 7\n0 3 7\n"),
+        ("t.txt", "3\n0 0\n4 0\n0 3\n"),
+        ("t.wkt", "POLYGON ((0 0, 4 0, 0 3, 0 0))"),
+        ("t.wkt", "SRID=25832;MULTIPOLYGON Z (((9 9 1, 9 8 1, 8 9 1, 9 9 1)), ((0 0 5, 4 0 5,\n 0 3 5, 0 0 5)))"),
         ("t.d", "M 0 0 L 4 0 0 -3 Z"),
         ("t.SVG", r#"<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0 h4 L0 -3 z"/></svg>"#),
     ];
@@ -44,7 +58,11 @@ fn the_same_triangle_in_every_format() {
         assert_eq!(vertices(&outline), TRIANGLE, "{text}");
         assert_eq!(outline.name, "t");
         // GeoJSON's coordinates are degrees, which a plane does not have
-        let notes: &[OutlineNote] = if text.contains("Polygon") { &[OutlineNote::Geographic] } else { &[] };
+        let notes: &[OutlineNote] = match text {
+            _ if text.contains("Polygon") => &[OutlineNote::Geographic],
+            _ if text.contains("MULTI") => &[OutlineNote::LargestOf { rings: 2 }],
+            _ => &[],
+        };
         assert_eq!(outline.notes, notes, "{text}");
     }
 }
@@ -140,13 +158,20 @@ fn faults_of_tables_are_named_with_line_and_column() {
     let fault = |text: &str| message("x.csv", text);
     assert_eq!(fault("x,y\n1,2\n3,é4"), "\"é4\" at line 3, column 3 is not a number");
     assert_eq!(fault("1,2\n3"), "line 2 has 1 number; a point is two");
+    assert_eq!(fault("x,y\n0,0\n1\n"), "line 3 has 1 number; a point is two");
+    assert_eq!(fault("0,0\n4,0\n4,4\n−1,4"), "\"−1\" at line 4, column 1 is not a number");
+    assert_eq!(fault("0.O,0\n4,0\n4,4"), "\"0.O\" at line 1, column 1 is not a number");
+    assert_eq!(fault("0,0\n4,0\n4,4\nO,4"), "\"O\" at line 4, column 1 is not a number");
+    assert_eq!(fault("0,5, 1,5\n2,5, 1,5\n0,5, 7,5"), "line 1 has 4 numbers; a point is two");
+    assert_eq!(fault("0,5 1,5\n2,5 1,5\n0,5 7,5"), "line 1 has 4 numbers; a point is two");
     assert_eq!(fault("1,2\n3,4,5"), "line 2 has 3 numbers; a point is two");
+    assert_eq!(fault("1,2\nnot a row\n3,4"), "line 2 is not understood: \"not a row\"");
     assert_eq!(fault("1,2\n\n  1e999 3"), "the number at line 3, column 3 is out of range");
-    assert_eq!(fault("1,NaN"), "the number at line 1, column 3 is out of range");
+    assert_eq!(fault("1,NaN"), "\"NaN\" at line 1, column 3 is not a number");
     assert_eq!(fault("1,,2"), "a number is missing at line 1, column 3");
     assert_eq!(fault("1,2,"), "a number is missing at line 1, column 5");
     assert_eq!(fault(",2"), "a number is missing at line 1, column 1");
-    assert_eq!(fault("1,2\nx,y"), "\"x\" at line 2, column 1 is not a number");
+    assert_eq!(fault("1,2\nx,y\n3,4"), "\"x\" at line 2, column 1 is not a number");
     assert_eq!(fault("width 3"), "\"width\" at line 1, column 1 is not a number");
     assert_eq!(fault("# nothing\n"), "the file is empty");
 }
@@ -155,7 +180,12 @@ fn faults_of_tables_are_named_with_line_and_column() {
 fn bytes_that_are_no_text_are_refused() {
     assert_eq!(parse("x.json", b""), Err(OutlineError::Empty));
     assert_eq!(parse("x.svg", b" \n\t"), Err(OutlineError::Empty));
-    assert_eq!(parse("x.csv", b"0 0\n1 \xff"), Err(OutlineError::NotUtf8 { offset: 6 }));
+    assert_eq!(parse("x.csv", b"0 0\n1 \xff\x01"), Err(OutlineError::NotUtf8 { offset: 6 }));
+    // a title in Latin-1
+    let named = parse("x.csv", b"L\xe4nge\n0 0\n1 0\n0 1").unwrap();
+    assert_eq!(vertices(&named), [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]);
+    let utf16: Vec<u8> = "\u{feff}0\t0\r\n1\t0\r\n0\t1\r\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    assert_eq!(vertices(&parse("x.txt", &utf16).unwrap()), vertices(&named));
     let large = vec![b' '; MAX_BYTES + 1];
     assert_eq!(parse("x.csv", &large), Err(OutlineError::TooLarge { bytes: MAX_BYTES + 1 }));
     assert!(OutlineError::TooLarge { bytes: 1 }.to_string().contains("64 MiB"));
@@ -216,22 +246,93 @@ fn svg_transforms_styles_and_uses_are_resolved() {
 }
 
 #[test]
-fn the_first_closed_path_and_its_largest_subpath_are_taken() {
-    let text = svg(r#"<path d="M0 0 L50 50"/>
-        <path id="rings" d="M0 0 h1 v1 z M10 10 h20 v-9 h-20 z M5 5 h1 v1 z M0 90 L1 91"/>
-        <path d="M0 0 h90 v90 z"/>"#);
+fn a_closing_point_may_differ_by_rounding_and_repeated_points_are_dropped() {
+    let circle: String = (0..=100)
+        .map(|k| std::f64::consts::TAU * f64::from(k) / 100.0)
+        .map(|t| format!("{:?},{:?}\n", 3.0 + t.cos(), 3.0 + t.sin()))
+        .collect();
+    let outline = read("circle.csv", &circle).unwrap();
+    assert_eq!((outline.polygon.vertices().len(), &outline.notes[..]), (100, &[OutlineNote::ClosingPointDropped][..]));
+    let doubled = read("l.csv", "0,0\n4,0\n4,0\n4,0\n0,3\n").unwrap();
+    assert_eq!(vertices(&doubled), TRIANGLE);
+    assert_eq!(doubled.notes, [OutlineNote::RepeatedPointsDropped { count: 2 }]);
+    let third = read("l.csv", "x,y,z\n0,0,1\n4,0,2\n0,3,5\n").unwrap();
+    assert_eq!(
+        (vertices(&third), &third.notes[..]),
+        (TRIANGLE.to_vec(), &[OutlineNote::ColumnsDropped { columns: 1 }][..])
+    );
+}
+
+#[test]
+fn airfoils_run_from_the_trailing_edge_over_the_top_in_both_orders() {
+    let selig = "Test section 9% thick\n1.0 0.0\n0.5 0.06\n0.0 0.0\n0.5 -0.03\n";
+    let lednicer = "Test section\n 3. 3.\n\n0.0 0.0\n0.5 0.06\n1.0 0.0\n\n0.0 0.0\n0.5 -0.03\n1.0 0.0\n";
+    let outline = read("a.dat", selig).unwrap();
+    assert_eq!(outline.polygon.vertices().len(), 4);
+    assert_eq!(vertices(&read("a.dat", lednicer).unwrap()), vertices(&outline));
+    // a pentagon whose first point could be two counts
+    assert_eq!(read("a.dat", "2,2\n0,2\n0,0\n1,-1\n2,0\n").unwrap().polygon.vertices().len(), 5);
+}
+
+#[test]
+fn the_shape_of_the_largest_painted_area_is_taken_and_another_on_request() {
+    let text = svg(r#"<rect width="100" height="100" fill="white"/><path d="M0 0 L50 50"/>
+        <path fill="none" d="M0 0h100v100h-100z"/><g opacity="0"><path d="M0 0h80v80h-80z"/></g>
+        <path id="frame" fill-rule="evenodd" d="M1 1h98v98h-98z M3 3h94v94h-94z"/>
+        <path id="open" d="M20 20h40v30h-40"/>
+        <path d="M0 0 h1 v1 z M70 70 h20 v-9 h-20 z M12 12h.01v0z"/>"#);
     let outline = read("x.svg", &text).unwrap();
-    assert_eq!(outline.polygon.area(), 180.0);
-    assert_eq!(outline.notes, [OutlineNote::LargestOf { rings: 3 }]);
-    assert_eq!(outline.name, "rings");
+    assert_eq!((outline.polygon.area(), outline.name()), (1200.0, "open"));
+    let taken = OutlineNote::ShapeTaken { number: 2, count: 4, name: Some("open".into()) };
+    assert_eq!(outline.notes, [taken, OutlineNote::Reversed]);
+    let part = |part| parse_as("x.svg", text.as_bytes(), &Reading { repair: false, part: Some(part) });
+    assert_eq!(part("4").unwrap().polygon.area(), 180.0);
+    let frame = part("frame").unwrap();
+    assert_eq!(frame.polygon.area(), 98.0 * 98.0);
+    assert!(frame.notes.contains(&OutlineNote::HolesIgnored { holes: 1 }), "{:?}", frame.notes);
+    let missing = part("7").unwrap_err().to_string();
+    assert_eq!(missing, "there is no part \"7\": they are numbered from 1 to 4 and named frame, open");
+    let crossing = svg(r#"<path d="M2 5h2v2h-2z M3 6h20v20h-20z"/>"#);
+    assert_eq!(read("x.svg", &crossing).unwrap().polygon.area(), 400.0);
+    let twice = svg(r#"<path d="M0 5L5 0L10 5L5 10z M0 5L5 0L10 5L5 10z"/>"#);
+    assert_eq!(read("x.svg", &twice).unwrap().polygon.area(), 50.0);
+    let body = svg(r#"<path id="body" d="M0 0h1v1h-1z M10 10h50v50h-50z"/><path d="M0 0h60v60h-60z"/>"#);
+    let body = parse_as("x.svg", body.as_bytes(), &Reading { repair: false, part: Some("body") }).unwrap();
+    assert_eq!(body.polygon.area(), 2500.0);
     let back_at_start = read("x.svg", &svg(r#"<path d="M0 0 L4 0 L0 -3 L0 0"/>"#)).unwrap();
     assert_eq!(vertices(&back_at_start), TRIANGLE);
 }
 
 #[test]
+fn a_background_alone_is_a_shape_and_clips_are_none() {
+    let square = r#"<rect width="100" height="100" fill="white"/>"#;
+    let clip = r#"<defs><clipPath id="c"><rect width="99" height="99"/></clipPath></defs>"#;
+    assert_eq!(read("x.svg", &svg(square)).unwrap().polygon.area(), 10_000.0);
+    let clipped = svg(&format!(r#"{clip}<g clip-path="url(#c)">{square}<path d="M4 4h14v6h-8v10H4z"/></g>"#));
+    assert_eq!(read("x.svg", &clipped).unwrap().polygon.area(), 14.0 * 6.0 + 6.0 * 10.0);
+    // lines that are only stroked bound a shape where they are closed
+    let lines = svg(r#"<g fill="none" stroke="black"><path d="M0 0L99 99"/><path d="M9 9h9v9z"/></g>"#);
+    assert_eq!(read("x.svg", &lines).unwrap().polygon.area(), 40.5);
+}
+
+#[test]
+fn coordinates_are_those_of_user_space() {
+    let drawing = |attributes: &str| {
+        let path = r#"<g transform="translate(-0.1 0)"><path d="M0.1 0 L4.1 0 L0.1 -3 Z"/></g>"#;
+        read("x.svg", &format!(r#"<svg xmlns="http://www.w3.org/2000/svg" {attributes}>{path}</svg>"#)).unwrap()
+    };
+    for attributes in ["", "width='210mm' height='297mm' viewBox='0 0 210 297'", "viewBox='-12 -7.3 24 24' width='8'"] {
+        let found = vertices(&drawing(attributes));
+        let off = found.iter().zip(TRIANGLE).map(|(p, q)| (p.0 - q.0).abs().max((p.1 - q.1).abs())).fold(0.0, f64::max);
+        assert!(off < 1e-15, "{attributes}: {found:?}");
+    }
+}
+
+#[test]
 fn faults_of_svg_are_named() {
     assert_eq!(message("x.svg", &svg("")), "this SVG has no path");
-    assert_eq!(message("x.svg", &svg(r#"<path d="M0 0 L4 0 L0 3"/>"#)), "no path of this SVG is closed (1 open)");
+    let line = svg(r#"<path fill="none" stroke="red" d="M0 0 L4 0 L0 3"/>"#);
+    assert_eq!(message("x.svg", &line), "no path of this SVG is closed (1 open)");
     let broken = message("x.svg", "<svg xmlns='http://www.w3.org/2000/svg'>\n<path</svg>");
     assert!(broken.starts_with("this SVG cannot be read") && broken.contains("2:"), "{broken}");
     assert!(message("x.svg", "<html/>").starts_with("this SVG cannot be read"));
@@ -256,17 +357,69 @@ fn nesting_within_the_limits_does_not_exhaust_a_small_stack() {
 }
 
 #[test]
-fn loops_and_spikes_are_cut_off_when_asked() {
-    let repaired = |text: &str| parse_repaired("x.csv", text.as_bytes()).unwrap();
-    // A doubled point; a small loop at (4, 0); a spike at (0, 3).
-    let outline = repaired("0 0\n0 0\n4 0\n5 0\n5 1\n4 0\n0 3\n0 9\n");
-    assert_eq!(vertices(&outline), [(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)]);
-    assert_eq!(outline.notes, [OutlineNote::Repaired { dropped: 5 }]);
+fn loops_spikes_and_knots_are_cut_off_when_asked() {
+    let mended = |text: &str| parse_as("x.csv", text.as_bytes(), &Reading { repair: true, part: None });
+    let repaired = |text: &str| mended(text).unwrap();
+    // A small loop at (4, 0); a spike at (0, 3).
+    let outline = repaired("0 0\n4 0\n5 0\n5 1\n4 0\n0 3\n0 9\n");
+    assert_eq!(vertices(&outline), TRIANGLE);
+    assert_eq!(outline.notes, [OutlineNote::Repaired { dropped: 4 }]);
     let first_is_in_the_small_loop = repaired("1 1\n0 0\n9 0\n0 9\n0 0\n0 1\n");
     assert_eq!(first_is_in_the_small_loop.polygon.area(), 40.5);
-    let crossing = parse_repaired("x.csv", b"0 0\n2 2\n2 0\n0 2");
+    let crossing = mended("0 0\n2 2\n2 0\n0 2");
     assert!(matches!(crossing, Err(OutlineError::Polygon(PolygonError::EdgesCross { .. }))));
+    // a small knot in a long edge is not the shape
+    let knot = repaired("0,0\n4,0\n4,3\n2.05,3\n1.95,3.2\n2.05,3.2\n1.95,3\n0,3\n");
+    assert!((knot.polygon.area() - 12.0).abs() < 0.01 && matches!(knot.notes[..], [OutlineNote::Repaired { .. }]));
+    // a vertex of one part lies on an edge of another
+    let touching = repaired("0 0\n9 0\n9 9\n5 9\n4 0\n3 9\n0 9\n");
+    assert_eq!(touching.polygon.area(), 40.5);
     assert_eq!(repaired("0 0\n4 0\n0 3").notes, []);
+}
+
+#[test]
+fn rings_on_the_sphere_are_closed_up_to_a_turn_and_mended() {
+    let cap = r#"{"type":"Polygon","coordinates":[[[-180,-60],[-60,-60],[60,-60],[180,-60]]]}"#;
+    assert_eq!(parse_geo_rings(cap.as_bytes(), &Reading::default()).unwrap()[0].points.len(), 3);
+    let knot = r#"{"type":"Polygon","coordinates":[[[170,40],[-170,40],[-170,44],[173,44],[174,45],[172,45],[173,44],[170,44],[170,40]]]}"#;
+    let how = Reading { repair: true, part: None };
+    let rings = parse_geo_rings(knot.as_bytes(), &how).unwrap();
+    assert!(rings[0].cut.is_some() && rings[0].points.len() < 8, "{:?}", rings[0]);
+    assert!(SimplePolygon::try_from(rings[0].points.clone()).is_ok());
+    assert_eq!(parse_geo_rings(cap.as_bytes(), &how).unwrap()[0].cut, None);
+}
+
+#[test]
+fn features_are_chosen_and_metres_are_no_degrees() {
+    let feature = |name: &str, size: u32| {
+        format!(
+            r#"{{"type":"Feature","properties":{{"name":"{name}"}},"geometry":{{"type":"Polygon","coordinates":[[[0,0],[{size},0],[0,{size}],[0,0]]]}}}}"#
+        )
+    };
+    let world = |crs: &str| {
+        format!(r#"{{"type":"FeatureCollection"{crs},"features":[{},{}]}}"#, feature("a", 2), feature("b", 4))
+    };
+    let area = |part| {
+        let outline = parse_as("x.json", world("").as_bytes(), &Reading { repair: false, part }).unwrap();
+        (outline.polygon.area(), outline.name().to_owned())
+    };
+    assert_eq!(
+        [area(None), area(Some("a")), area(Some("2"))],
+        [(8.0, "b".into()), (2.0, "a".into()), (8.0, "b".into())]
+    );
+    let how = Reading { repair: false, part: Some("b") };
+    assert_eq!(parse_geo_rings(world("").as_bytes(), &how).unwrap().len(), 1);
+    let named = |name: &str| {
+        let crs = format!(r#","crs":{{"type":"name","properties":{{"name":"{name}"}}}}"#);
+        parse_geo_rings(world(&crs).as_bytes(), &Reading::default()).map(|rings| rings.len())
+    };
+    assert_eq!(named("urn:ogc:def:crs:OGC:1.3:CRS84"), Ok(2));
+    for degrees in
+        ["EPSG:4326", "http://www.opengis.net/def/crs/OGC/1.3/CRS84", "http://www.opengis.net/def/crs/EPSG/0/4326"]
+    {
+        assert_eq!(named(degrees), Ok(2), "{degrees}");
+    }
+    assert_eq!(named("urn:ogc:def:crs:EPSG::25832"), Err(OutlineError::ReferenceSystem { name: "EPSG:25832".into() }));
 }
 
 const EXTENSIONS: [&str; 5] = ["json", "svg", "csv", "geojson", ""];
@@ -316,7 +469,7 @@ proptest! {
                 break;
             }
         }
-        let _ = parse_repaired(&file_name, &bytes);
+        let _ = parse_as(&file_name, &bytes, &Reading { repair: true, part: None });
         if let Ok(outline) = parse(&file_name, &bytes) {
             prop_assert!(outline.polygon.area() >= 0.0);
         }
@@ -365,7 +518,7 @@ mod shared_data {
             let touches =
                 matches!(parse(&name, &bytes), Err(OutlineError::Polygon(PolygonError::RepeatedPoint { .. })));
             assert_eq!(touches, name.ends_with("noto_hand-with-fingers-splayed.json"), "{name}");
-            let outline = parse_repaired(&name, &bytes).unwrap();
+            let outline = parse_as(&name, &bytes, &Reading { repair: true, part: None }).unwrap();
             let expected: &[OutlineNote] = if touches { &[OutlineNote::Repaired { dropped: 11 }] } else { &[] };
             assert!(outline.notes.starts_with(expected), "{name}: {:?}", outline.notes);
             println!("{}: {} points, notes {:?}", outline.name, outline.polygon.vertices().len(), outline.notes);

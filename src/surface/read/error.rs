@@ -1,6 +1,5 @@
 //! Why a file is not a surface, and where in the file.
 
-use super::faces::MAX_CORNERS;
 use super::{Fault, Item, MAX_BYTES, MAX_TRIANGLES, Unsupported};
 use crate::counted::counted;
 use crate::surface::Place;
@@ -64,18 +63,6 @@ pub enum SurfaceError {
         index: i64,
         /// Number of vertices.
         vertices: usize,
-    },
-    /// A face with fewer than 3 corners or more than [`MAX_CORNERS`].
-    #[error("{}", counted!(
-        *count,
-        "{place}: a face has 1 corner; 3 to {MAX_CORNERS} are possible",
-        "{place}: a face has {count} corners; 3 to {MAX_CORNERS} are possible"
-    ))]
-    Corners {
-        /// The place in the file.
-        place: Place,
-        /// Number of corners.
-        count: usize,
     },
     /// The structure of the file does not agree with its format.
     #[error("{place}: {fault}")]

@@ -5,9 +5,6 @@ use super::{MAX_TRIANGLES, Place, SurfaceError};
 use crate::geometry::DVec3;
 use crate::surface::{Surface, SurfaceNote};
 
-/// The largest number of corners of a face: cutting off ears takes quadratic time.
-pub const MAX_CORNERS: usize = 1000;
-
 /// The index, checked to be one of `vertices` vertices.
 pub(super) fn vertex_of(index: i64, vertices: usize, place: impl Fn() -> Place) -> Result<u32, SurfaceError> {
     let vertex = u32::try_from(index).ok().filter(|&vertex| (vertex as usize) < vertices);
@@ -22,15 +19,18 @@ pub(super) struct Faces {
     /// Where each face ends in `corners`.
     ends: Vec<u32>,
     triangles: usize,
+    /// The number of faces with fewer than three corners, which are dropped.
+    dropped: usize,
     /// Where the file continues after everything that its counts announce.
     pub surplus: Option<Place>,
 }
 
 impl Faces {
-    /// Adds a face; its indices are checked by the caller.
+    /// Adds a face; its indices are checked by the caller. One with fewer than three corners is dropped.
     pub(super) fn push(&mut self, corners: &[u32], place: impl Fn() -> Place) -> Result<(), SurfaceError> {
-        if !(3..=MAX_CORNERS).contains(&corners.len()) {
-            return Err(SurfaceError::Corners { place: place(), count: corners.len() });
+        if corners.len() < 3 {
+            self.dropped += 1;
+            return Ok(());
         }
         self.triangles += corners.len() - 2;
         if self.triangles > MAX_TRIANGLES {
@@ -41,9 +41,20 @@ impl Faces {
         Ok(())
     }
 
+    /// Adds the triangles of a strip: each corner after the first two makes one with the two before it, which are turned
+    /// alternately. A strip repeats corners to go on elsewhere; such triangles are no faces.
+    pub(super) fn push_strip(&mut self, strip: &[u32], place: impl Fn() -> Place) -> Result<(), SurfaceError> {
+        for (k, &[a, b, c]) in strip.array_windows().enumerate() {
+            if a != b && b != c && c != a {
+                self.push(&if k.is_multiple_of(2) { [a, b, c] } else { [b, a, c] }, &place)?;
+            }
+        }
+        Ok(())
+    }
+
     /// The surface, with polygons cut into triangles.
     pub(super) fn finish(self) -> Surface {
-        let Self { vertices, corners, ends, triangles: count, surplus } = self;
+        let Self { vertices, corners, ends, triangles: count, dropped, surplus } = self;
         let (faces, mut triangles, mut polygons, mut start) = (ends.len(), Vec::with_capacity(count), 0, 0);
         for end in ends {
             match &corners[start..end as usize] {
@@ -56,7 +67,9 @@ impl Faces {
             start = end as usize;
         }
         let cut = (polygons > 0).then_some(SurfaceNote::Triangulated { polygons, faces });
-        let notes = cut.into_iter().chain(surplus.map(|place| SurfaceNote::Surplus { place })).collect();
+        let dropped = (dropped > 0).then_some(SurfaceNote::DroppedFaces { count: dropped });
+        let surplus = surplus.map(|place| SurfaceNote::Surplus { place });
+        let notes = cut.into_iter().chain(dropped).chain(surplus).collect();
         Surface::new(vertices, triangles).with_notes(notes)
     }
 }

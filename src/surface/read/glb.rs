@@ -1,14 +1,14 @@
 //! GLB: a glTF document and its first buffer in one binary file.
 
 use super::scalar::{Cursor, Scalar};
-use super::{Fault, Item, Place, SurfaceError, Unsupported, gltf};
+use super::{Fault, Item, Neighbor, Place, SurfaceError, Unsupported, gltf};
 use crate::surface::Surface;
 
 const JSON: u32 = 0x4E4F_534A;
 const BINARY: u32 = 0x004E_4942;
 
 /// Reads the JSON chunk and the binary chunk; others are skipped.
-pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
+pub(super) fn read(bytes: &[u8], neighbor: &mut Neighbor) -> Result<Surface, SurfaceError> {
     if !bytes.starts_with(b"glTF") {
         return Err(SurfaceError::malformed(Place::Byte(0), Fault::NotGlb));
     }
@@ -31,5 +31,5 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
             _ => {}
         }
     }
-    gltf::read(document.ok_or_else(|| SurfaceError::missing(Place::Byte(12), Item::JsonChunk))?, buffer)
+    gltf::read(document.ok_or_else(|| SurfaceError::missing(Place::Byte(12), Item::JsonChunk))?, buffer, neighbor)
 }

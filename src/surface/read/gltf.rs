@@ -1,13 +1,13 @@
-//! glTF 2.0: the triangles of the default scene, in the scene's coordinates, welded.
+//! glTF 2.0: the triangles of the default scene, in the scene's coordinates.
 //!
-//! Buffers must be embedded (base 64) or in the GLB file: no bytes but the given ones are
-//! read. Not supported: sparse accessors, compressed meshes; morph targets and skins are ignored.
+//! Buffers are embedded (base 64), in the GLB file, or neighboring files, for which the caller is asked. Positions may be
+//! quantized (`KHR_mesh_quantization`) and accessors sparse. Compressed meshes are not supported; morph targets and skins
+//! are ignored.
 
 use super::faces::Faces;
 use super::gltf_buffers::Buffers;
 use super::text::finite;
-use super::weld::weld;
-use super::{Fault, Item, MAX_TRIANGLES, Place, SurfaceError, Unsupported};
+use super::{Fault, Item, MAX_TRIANGLES, Neighbor, Place, SurfaceError, Unsupported};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
 use glam::{DMat4, DQuat};
@@ -70,10 +70,28 @@ pub(super) struct Accessor {
     pub buffer_view: Option<usize>,
     pub byte_offset: usize,
     pub component_type: u32,
+    pub normalized: bool,
     pub count: usize,
     #[serde(rename = "type")]
     pub kind: String,
-    pub sparse: Option<serde_json::Value>,
+    pub sparse: Option<Sparse>,
+}
+
+/// Elements of an accessor that differ from its buffer view, or from 0.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Sparse {
+    pub count: usize,
+    pub indices: SparsePart,
+    pub values: SparsePart,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct SparsePart {
+    pub buffer_view: Option<usize>,
+    pub byte_offset: usize,
+    pub component_type: u32,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -92,10 +110,10 @@ pub(super) struct Buffer {
 }
 
 /// Extensions that change where positions or indices are stored, so that they cannot be ignored.
-const COMPRESSIONS: [&str; 3] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"];
+const COMPRESSIONS: [&str; 3] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
 
-/// Reads a document; `binary` is the buffer of a GLB file.
-pub(super) fn read(bytes: &[u8], binary: Option<&[u8]>) -> Result<Surface, SurfaceError> {
+/// Reads a document; `binary` is the buffer of a GLB file, and `neighbor` gives the bytes of a file beside it.
+pub(super) fn read(bytes: &[u8], binary: Option<&[u8]>, neighbor: &mut Neighbor) -> Result<Surface, SurfaceError> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let line = bytes[..error.valid_up_to()].split(|&byte| byte == b'\n').count();
         SurfaceError::malformed(Place::Line(line), Fault::NotGltf(error.to_string()))
@@ -105,7 +123,7 @@ pub(super) fn read(bytes: &[u8], binary: Option<&[u8]>) -> Result<Surface, Surfa
     if let Some(name) = document.extensions_required.iter().find(|name| COMPRESSIONS.contains(&name.as_str())) {
         return Err(SurfaceError::unsupported(part("extensionsRequired"), Unsupported::Extension(name.clone())));
     }
-    let buffers = Buffers::new(&document, binary)?;
+    let buffers = Buffers::new(&document, binary, neighbor)?;
     let mut faces = Faces::default();
     for (node, transform) in document.placed_nodes()? {
         if let Some(mesh) = document.nodes[node].mesh {
@@ -117,9 +135,7 @@ pub(super) fn read(bytes: &[u8], binary: Option<&[u8]>) -> Result<Surface, Surfa
             }
         }
     }
-    let mut surface = faces.finish();
-    weld(&mut surface);
-    Ok(surface)
+    Ok(faces.finish())
 }
 
 fn part(name: &str) -> Place {

@@ -124,6 +124,9 @@ pub enum Item {
     /// PLY: a property's name.
     #[error("the name of a property")]
     PropertyName,
+    /// Binary OFF: a coordinate, normal or color.
+    #[error("a number of a vertex or of a color")]
+    OffNumber,
     /// STL: the number of triangles.
     #[error("the number of triangles")]
     TriangleCount,
@@ -157,13 +160,10 @@ pub enum Unsupported {
     #[error("version {0} of glTF")]
     Version(u32),
     /// A glTF extension that changes where positions or indices are stored.
-    #[error("{0}")]
+    #[error("{0} (decode it: gltf-transform cp in.glb out.glb)")]
     Extension(String),
-    /// glTF: a sparse accessor.
-    #[error("a sparse accessor")]
-    SparseAccessor,
     /// glTF: a buffer in a separate file.
-    #[error("the separate file \"{0}\" (use .glb, or embed it)")]
+    #[error("the separate file \"{0}\" (put it beside this one, use .glb, or embed it)")]
     SeparateFile(String),
     /// glTF: an embedded buffer with an encoding other than base 64.
     #[error("data that is not in base 64")]
@@ -171,10 +171,4 @@ pub enum Unsupported {
     /// OFF with another number of dimensions, with its keyword.
     #[error("a surface in 4 or n dimensions ({0})")]
     Dimensions(String),
-    /// OFF in binary form.
-    #[error("binary OFF")]
-    BinaryOff,
-    /// PLY: triangle strips.
-    #[error("the element tristrips")]
-    Strips,
 }

@@ -29,10 +29,11 @@ mod text;
 mod weld;
 
 use super::{Place, Surface};
+use crate::utf16;
 pub use error::SurfaceError;
-pub use faces::MAX_CORNERS;
 pub use fault::Fault;
 pub use item::{Item, Unsupported};
+use std::borrow::Cow;
 use text::lines;
 
 /// The largest accepted file size.
@@ -44,30 +45,69 @@ pub const MAX_TRIANGLES: usize = 4_000_000;
 /// Reads a surface from a file's name and bytes.
 ///
 /// The extension decides the format (`obj`, `ply`, `stl`, `off`, `gltf`, `glb`); with any
-/// other, the first bytes do. In formats that repeat a vertex for each face (STL, glTF), vertices
-/// at exactly equal positions are merged. All objects of an OBJ file and the
+/// other, the first bytes do. Vertices that a program has split are merged (file `weld`). All objects of an OBJ file and the
 /// default scene of a glTF file are read. Cost O(bytes).
 pub fn read_surface(file_name: &str, bytes: &[u8]) -> Result<Surface, SurfaceError> {
+    read_surface_beside(file_name, bytes, &mut |_| None)
+}
+
+/// Gives the bytes of a neighboring file, whose name is relative to the folder of the one that is read and does not lead out
+/// of it.
+pub type Neighbor<'a> = dyn FnMut(&str) -> Option<Vec<u8>> + 'a;
+
+/// As [`read_surface`], with the buffers of a glTF document in neighboring files.
+pub fn read_surface_beside(file_name: &str, bytes: &[u8], neighbor: &mut Neighbor) -> Result<Surface, SurfaceError> {
     check_size(bytes.len())?;
-    // editors put a UTF-8 byte order mark before text
-    let text = bytes.strip_prefix(b"\xEF\xBB\xBF").filter(|_| !stl::is_binary(bytes));
-    let bytes = text.unwrap_or(bytes);
+    let decoded = decoded(bytes);
+    let bytes = &*decoded;
     let extension = extension_of(file_name);
-    let surface = match extension.as_str() {
-        "obj" => obj::read(bytes),
-        "ply" => ply::read(bytes),
-        "stl" => stl::read(bytes),
-        "off" => off::read(bytes),
-        "gltf" => gltf::read(bytes, None),
-        "glb" => glb::read(bytes),
-        _ => by_first_bytes(&extension, bytes),
+    let format = match ENDINGS.iter().position(|ending| *ending == extension) {
+        Some(k) => Format::ALL[k],
+        None => by_first_bytes(bytes).ok_or(SurfaceError::UnknownFormat { extension })?,
+    };
+    let surface = match format {
+        Format::Obj => obj::read(bytes),
+        Format::Ply => ply::read(bytes),
+        Format::Stl => stl::read(bytes),
+        Format::Off => off::read(bytes),
+        Format::Gltf => gltf::read(bytes, None, neighbor),
+        Format::Glb => glb::read(bytes, neighbor),
     }?;
-    if surface.triangles.is_empty() { Err(SurfaceError::NoTriangles) } else { Ok(surface) }
+    if surface.triangles.is_empty() {
+        return Err(SurfaceError::NoTriangles);
+    }
+    Ok(weld::welded(surface, matches!(format, Format::Stl | Format::Gltf | Format::Glb)))
+}
+
+/// Text after a byte order mark, as editors put it, in UTF-8; anything else as it is.
+fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
+    if stl::is_binary(bytes) {
+        return bytes.into();
+    }
+    match utf16::decoded(bytes) {
+        Some(text) => text.into_bytes().into(),
+        None => bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes).into(),
+    }
 }
 
 /// Checks the size of a file before its content is copied or read; `Err` above [`MAX_BYTES`].
 pub fn check_size(bytes: usize) -> Result<(), SurfaceError> {
     if bytes > MAX_BYTES { Err(SurfaceError::TooLarge { bytes }) } else { Ok(()) }
+}
+
+/// The formats, in the order of [`ENDINGS`].
+#[derive(Debug, Clone, Copy)]
+enum Format {
+    Obj,
+    Ply,
+    Stl,
+    Off,
+    Gltf,
+    Glb,
+}
+
+impl Format {
+    const ALL: [Self; 6] = [Self::Obj, Self::Ply, Self::Stl, Self::Off, Self::Gltf, Self::Glb];
 }
 
 /// The extensions that decide the format.
@@ -83,18 +123,19 @@ fn extension_of(file_name: &str) -> String {
     file_name.rsplit_once('.').map_or("", |(_, extension)| extension).to_ascii_lowercase()
 }
 
-fn by_first_bytes(extension: &str, bytes: &[u8]) -> Result<Surface, SurfaceError> {
+/// The format of a file that begins with these bytes.
+fn by_first_bytes(bytes: &[u8]) -> Option<Format> {
     let first = bytes.trim_ascii_start();
     let begins = |word: &str| first.starts_with(word.as_bytes());
     let word = || lines(bytes).next().and_then(|line| line.words().next()).unwrap_or_default();
     match first {
-        _ if begins("ply") => ply::read(bytes),
-        _ if begins("glTF") => glb::read(bytes),
-        _ if begins("{") => gltf::read(bytes, None),
-        _ if stl::begins_as_text(first) || stl::is_binary(bytes) => stl::read(bytes),
-        _ if off::is_keyword(word()) => off::read(bytes),
-        _ if obj::is_keyword(word()) => obj::read(bytes),
-        _ => Err(SurfaceError::UnknownFormat { extension: extension.to_owned() }),
+        _ if begins("ply") => Some(Format::Ply),
+        _ if begins("glTF") => Some(Format::Glb),
+        _ if begins("{") => Some(Format::Gltf),
+        _ if stl::begins_as_text(first) || stl::is_binary(bytes) => Some(Format::Stl),
+        _ if off::is_keyword(word()) => Some(Format::Off),
+        _ if obj::is_keyword(word()) => Some(Format::Obj),
+        _ => None,
     }
 }
 

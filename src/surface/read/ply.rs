@@ -1,20 +1,23 @@
 //! PLY, the polygon file format: text and binary in both byte orders.
 //!
 //! Reads `x`, `y`, `z` of the element `vertex` and the list `vertex_indices` (or
-//! `vertex_index`) of `face`; all other elements and properties are skipped.
+//! `vertex_index`) of `face` and of `tristrips`, where −1 ends a strip; all other elements and properties are skipped. In text,
+//! what follows the properties on the last line of a row is passed over, unless several rows stand on one line.
 
-use super::faces::{Faces, MAX_CORNERS, vertex_of};
+use super::faces::{Faces, vertex_of};
 use super::ply_header::{Body, Element, Encoding, Header, Property, Shape, header};
 use super::scalar::{Cursor, Scalar};
 use super::text::finite;
-use super::{Fault, Item, Place, SurfaceError, Unsupported};
+use super::{Fault, Item, MAX_TRIANGLES, Place, SurfaceError};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
 
 /// Reads text or binary PLY.
 pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     let Header { encoding, elements, body } = header(bytes)?;
-    let mut numbers = Numbers::new(bytes, encoding, body);
+    let rows = elements.iter().filter(|element| !element.properties.is_empty());
+    let rows = rows.fold(0_usize, |sum, element| sum.saturating_add(element.count));
+    let mut numbers = Numbers::new(bytes, encoding, body, rows);
     let mut faces = Faces::default();
     // faces may precede the vertices that they name
     let of_vertices = elements.iter().filter(|element| element.name == "vertex");
@@ -23,7 +26,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
         match element.name.as_str() {
             "vertex" => read_vertices(element, &mut numbers, &mut faces)?,
             "face" => read_faces(element, vertices, &mut numbers, &mut faces)?,
-            "tristrips" => return Err(SurfaceError::unsupported(numbers.place(), Unsupported::Strips)),
+            "tristrips" => read_strips(element, vertices, &mut numbers, &mut faces)?,
             _ if element.properties.is_empty() => {}
             _ => (0..element.count).try_for_each(|_| skip(&element.properties, &mut numbers))?,
         }
@@ -38,9 +41,19 @@ struct Words<'a> {
     /// The line where it begins.
     line: usize,
     line_end: u8,
+    /// Whether no line holds several rows.
+    is_row_by_row: bool,
 }
 
 impl<'a> Words<'a> {
+    /// Passes over the rest of the line on which a row ends.
+    fn end_row(&mut self) {
+        if self.is_row_by_row {
+            let end = self.rest.iter().position(|b| *b == self.line_end).unwrap_or(self.rest.len());
+            self.rest = &self.rest[end..];
+        }
+    }
+
     fn skip_blanks(&mut self) {
         let start = self.rest.iter().position(|b| !b.is_ascii_whitespace()).unwrap_or(self.rest.len());
         self.line += self.rest[..start].split(|&b| b == self.line_end).count() - 1;
@@ -64,10 +77,14 @@ enum Numbers<'a> {
 }
 
 impl<'a> Numbers<'a> {
-    fn new(bytes: &'a [u8], encoding: Encoding, body: Body) -> Self {
+    /// The numbers of a body with so many rows.
+    fn new(bytes: &'a [u8], encoding: Encoding, body: Body, rows: usize) -> Self {
         match encoding {
             Encoding::Text => {
-                Self::Text(Words { rest: &bytes[body.offset..], line: body.line, line_end: body.line_end })
+                let Body { offset, line, line_end } = body;
+                let rest = &bytes[offset..];
+                let lines = rest.split(|&b| b == line_end).filter(|line| !line.trim_ascii().is_empty());
+                Self::Text(Words { rest, line, line_end, is_row_by_row: lines.count() >= rows })
             }
             Encoding::LittleEndian | Encoding::BigEndian => {
                 Self::Binary(Cursor { bytes, offset: body.offset, big_endian: encoding == Encoding::BigEndian })
@@ -80,6 +97,18 @@ impl<'a> Numbers<'a> {
             Self::Text(words) => Place::Line(words.line),
             Self::Binary(cursor) => cursor.place(),
         }
+    }
+
+    /// Ends a row.
+    fn end_row(&mut self) {
+        if let Self::Text(words) = self {
+            words.end_row();
+        }
+    }
+
+    /// The place of what is read next in binary data, of what was read last in text.
+    fn place_of(&self, before: Place) -> Place {
+        if let Self::Text(_) = self { self.place() } else { before }
     }
 
     /// Where the rest begins, if it holds more than blanks.
@@ -131,7 +160,9 @@ impl<'a> Numbers<'a> {
 }
 
 fn skip(properties: &[Property], numbers: &mut Numbers<'_>) -> Result<(), SurfaceError> {
-    properties.iter().try_for_each(|property| numbers.skip(property.shape))
+    properties.iter().try_for_each(|property| numbers.skip(property.shape))?;
+    numbers.end_row();
+    Ok(())
 }
 
 fn read_vertices(element: &Element, numbers: &mut Numbers<'_>, faces: &mut Faces) -> Result<(), SurfaceError> {
@@ -160,8 +191,56 @@ fn read_vertices(element: &Element, numbers: &mut Numbers<'_>, faces: &mut Faces
             }
         }
         faces.vertices.push(finite(point, vertex, place)?);
+        numbers.end_row();
     }
     Ok(())
+}
+
+/// Whether a property holds the corners of a face or of strips.
+fn is_list(property: &Property) -> bool {
+    property.name == "vertex_indices" || property.name == "vertex_index"
+}
+
+/// The numbers of a list, each with its place.
+type List = [(f64, Place)];
+
+/// Calls `read` with the list of every row, the numbers as they are, each with its place, and with the place of the end.
+fn read_lists(
+    element: &Element,
+    numbers: &mut Numbers<'_>,
+    read: &mut dyn FnMut(&List, Place) -> Result<(), SurfaceError>,
+) -> Result<(), SurfaceError> {
+    if element.count > 0 && !element.properties.iter().any(is_list) {
+        return Err(SurfaceError::missing(Place::Line(1), Item::FaceProperty));
+    }
+    let mut list = Vec::new();
+    for _ in 0..element.count {
+        for property in &element.properties {
+            let (true, Shape::List { length, item }) = (is_list(property), property.shape) else {
+                numbers.skip(property.shape)?;
+                continue;
+            };
+            let count = numbers.length(length)?;
+            list.clear();
+            for _ in 0..count {
+                let before = numbers.place();
+                let index = numbers.next(item, Item::FaceCorner)?;
+                list.push((index, numbers.place_of(before)));
+                if list.len() > MAX_TRIANGLES {
+                    return Err(SurfaceError::TooManyTriangles { place: numbers.place() });
+                }
+            }
+            read(&list, numbers.place())?;
+        }
+        numbers.end_row();
+    }
+    Ok(())
+}
+
+/// A corner's vertex.
+fn corner((index, place): &(f64, Place), vertices: usize) -> Result<u32, SurfaceError> {
+    let whole = if index.fract() == 0.0 { *index as i64 } else { -1 };
+    vertex_of(whole, vertices, || place.clone())
 }
 
 fn read_faces(
@@ -170,34 +249,26 @@ fn read_faces(
     numbers: &mut Numbers<'_>,
     faces: &mut Faces,
 ) -> Result<(), SurfaceError> {
-    let is_list = |p: &Property| p.name == "vertex_indices" || p.name == "vertex_index";
-    if element.count > 0 && !element.properties.iter().any(is_list) {
-        return Err(SurfaceError::missing(Place::Line(1), Item::FaceProperty));
-    }
     let mut corners = Vec::new();
-    for _ in 0..element.count {
-        for property in &element.properties {
-            let (true, Shape::List { length, item }) = (is_list(property), property.shape) else {
-                numbers.skip(property.shape)?;
-                continue;
-            };
-            let count = numbers.length(length)?;
-            if count > MAX_CORNERS {
-                return Err(SurfaceError::Corners { place: numbers.place(), count });
-            }
-            corners.clear();
-            for _ in 0..count {
-                let place = numbers.place();
-                let index = numbers.next(item, Item::FaceCorner)?;
-                let whole = if index.fract() == 0.0 { index as i64 } else { -1 };
-                let here = match numbers {
-                    Numbers::Text(words) => Place::Line(words.line),
-                    Numbers::Binary(_) => place,
-                };
-                corners.push(vertex_of(whole, vertices, || here.clone())?);
-            }
-            faces.push(&corners, || numbers.place())?;
+    read_lists(element, numbers, &mut |list, place| {
+        corners.clear();
+        for index in list {
+            corners.push(corner(index, vertices)?);
         }
-    }
-    Ok(())
+        faces.push(&corners, || place.clone())
+    })
+}
+
+fn read_strips(
+    element: &Element,
+    vertices: usize,
+    numbers: &mut Numbers<'_>,
+    faces: &mut Faces,
+) -> Result<(), SurfaceError> {
+    read_lists(element, numbers, &mut |list, place| {
+        list.split(|(index, _)| *index == -1.0).try_for_each(|strip| {
+            let corners = strip.iter().map(|index| corner(index, vertices)).collect::<Result<Vec<_>, _>>()?;
+            faces.push_strip(&corners, || place.clone())
+        })
+    })
 }

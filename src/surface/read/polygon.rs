@@ -5,18 +5,26 @@
 //! triangles are checked like all others.
 
 use crate::geometry::{DVec2, DVec3};
+use crate::mesh::polygon_triangles;
 
 /// Sines of the smallest turn of an ear's tip; the second applies if the first leaves no ear. Vertices in the middle of
 /// an edge turn by rounding only, 1e-7 to 1e-6 in files with six decimals, and would be the tips of triangles without
 /// area; as an intended corner, 1e-5 is a centimeter on a kilometer.
 const LEAST_TURNS: [f64; 2] = [1e-5, 1e-12];
 
-/// Appends the `corners.len() − 2` triangles of a polygon with at least 3 corners. Cost O(k), O(k²)
-/// and rarely more if it is not convex.
+/// Ears are cut off polygons with up to so many corners.
+const MOST_EARS: usize = 1000;
+
+/// Appends the `corners.len() − 2` triangles of a polygon with at least 3 corners. Cost O(k), O(k²) and rarely more if it is
+/// not convex; of one with more than [`MOST_EARS`] corners O(k log k), if it is simple.
 pub(super) fn triangulate(vertices: &[DVec3], corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
     let points = projected(vertices, corners);
     let mut rest: Vec<usize> = (0..corners.len()).collect();
     if !is_convex(&points) {
+        if let Some(cut) = (corners.len() > MOST_EARS).then(|| polygon_triangles(&points).ok()).flatten() {
+            triangles.extend(cut.into_iter().map(|triangle| triangle.map(|k| corners[k as usize])));
+            return;
+        }
         while rest.len() > 3 {
             let ear = |least: f64| (0..rest.len()).find(|&k| is_ear(&points, &rest, k, least));
             let Some(k) = LEAST_TURNS.into_iter().find_map(ear) else { break };
@@ -130,6 +138,23 @@ mod tests {
                 );
             }
         }
+    }
+
+    #[test]
+    fn polygons_have_any_number_of_corners() {
+        let count = 2 * MOST_EARS as u32;
+        let star = |k: u32| {
+            let angle = std::f64::consts::TAU * f64::from(k) / f64::from(count);
+            (if k.is_multiple_of(2) { 1.0 } else { 0.9 }) * DVec2::from_angle(angle)
+        };
+        let star: Vec<DVec2> = (0..count).map(star).collect();
+        let expected: f64 = star.iter().zip(star.iter().cycle().skip(1)).map(|(p, q)| 0.5 * p.perp_dot(*q)).sum();
+        let vertices = lifted(&star.iter().map(DVec2::to_array).collect::<Vec<_>>());
+        let corners: Vec<u32> = (0..count).collect();
+        let mut triangles = Vec::new();
+        triangulate(&vertices, &corners, &mut triangles);
+        assert_eq!(triangles.len(), corners.len() - 2);
+        assert!((area(&vertices, &triangles) - expected).abs() < 1e-9, "{}", area(&vertices, &triangles));
     }
 
     #[test]

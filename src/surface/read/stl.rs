@@ -3,7 +3,6 @@
 use super::faces::Faces;
 use super::scalar::{Cursor, Scalar};
 use super::text::{finite, lines};
-use super::weld::weld;
 use super::{Item, Place, SurfaceError};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
@@ -30,9 +29,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     let beginning = &bytes[..bytes.len().min(HEADER)];
     let text = begins_as_text(beginning) && !is_binary(bytes) && !beginning.contains(&0);
     let faces = if text { read_text(bytes) } else { read_binary(bytes) }?;
-    let mut surface = faces.finish();
-    weld(&mut surface);
-    Ok(surface)
+    Ok(faces.finish())
 }
 
 fn read_binary(bytes: &[u8]) -> Result<Faces, SurfaceError> {

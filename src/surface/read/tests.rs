@@ -124,11 +124,25 @@ fn gltf() -> String {
     document.replace("URI", &format!(r#", "uri": "data:application/octet-stream;base64,{text}""#))
 }
 
+/// With colors at the vertices and at one face.
+fn binary_off() -> Vec<u8> {
+    let mut bytes = b"COFF BINARY\n".to_vec();
+    let whole = |bytes: &mut Vec<u8>, numbers: &[i32]| bytes.extend(numbers.iter().flat_map(|n| n.to_be_bytes()));
+    whole(&mut bytes, &[4, 2, 5]);
+    for [x, y, z] in corners() {
+        bytes.extend([x, y, z, 0.5, 0.5, 0.5, 1.0].iter().flat_map(|n: &f32| n.to_be_bytes()));
+    }
+    whole(&mut bytes, &[3, 0, 1, 2, 0, 3, 0, 2, 3, 1]);
+    bytes.extend(0.25_f32.to_be_bytes());
+    bytes
+}
+
 /// Every format with the same square in it.
 fn files() -> Vec<(&'static str, Vec<u8>)> {
     vec![
         ("a.obj", OBJ.into()),
         ("a.off", OFF.into()),
+        ("b.off", binary_off()),
         ("a.ply", PLY.into()),
         ("b.ply", binary_ply(false)),
         ("c.PLY", binary_ply(true)),
@@ -204,7 +218,7 @@ fn errors_say_where() {
         ),
         // a continued line keeps the numbers of the lines after it
         ("a.obj", "v 0 \\\n0 0\nv 1 0\n".into(), SurfaceError::missing(line(3), Item::Coordinate("z"))),
-        ("a.obj", "v 0 0 0\nf 1 1\n".into(), SurfaceError::Corners { place: line(2), count: 2 }),
+        ("a.obj", "v 0 0 0\nf 1 1\n".into(), SurfaceError::NoTriangles),
         ("a.obj", "v 0 0 0\n".into(), SurfaceError::NoTriangles),
         (
             "a.off",
@@ -212,7 +226,12 @@ fn errors_say_where() {
             SurfaceError::IndexOutOfRange { place: line(9), index: 4, vertices: 4 },
         ),
         ("a.off", OFF.replace("4 2 5", "4 3 5"), SurfaceError::missing(line(10), Item::Face)),
-        ("a.off", "OFF BINARY\n".into(), SurfaceError::unsupported(line(1), Unsupported::BinaryOff)),
+        ("a.off", "OFF BINARY\n".into(), SurfaceError::missing(Place::Byte(11), Item::VertexCount)),
+        (
+            "a.off",
+            OFF.replace("3 0 1 2\n", "3 0 1\n"),
+            SurfaceError::missing(line(8), Item::Corner { index: 3, count: 3 }),
+        ),
         (
             "a.ply",
             PLY.replace("3 0 2 3", "3 0 2 9"),
@@ -335,7 +354,17 @@ fn lines_end_in_line_feeds_carriage_returns_or_both() {
 #[test]
 fn the_counts_of_an_off_stand_on_one_line_or_several() {
     let plain = read_surface("a.off", OFF.as_bytes()).unwrap();
-    for head in ["COFF 4 2 5", "COFF\n4 2", "COFF\n4\n2\n5", "COFF 4\n2 5", "coff\n4 2\n5", "Coff\n4\n2", "4 2 0"] {
+    for head in [
+        "COFF 4 2 5",
+        "COFF\n4 2",
+        "COFF\n4\n2\n5",
+        "COFF 4\n2 5",
+        "coff\n4 2\n5",
+        "Coff\n4\n2",
+        "4 2 0",
+        "OFF4 2 5",
+        "COFF4\n2 5",
+    ] {
         let other = OFF.replace("COFF # kind\n4 2 5", head);
         assert_eq!(read_surface("a.off", other.as_bytes()).unwrap(), plain, "{head}");
     }
@@ -385,4 +414,115 @@ fn what_follows_after_all_that_was_counted_is_told() {
         assert!(is_told(&longer) && !is_told(&plain), "{name}: {:?}", longer.notes);
         assert_eq!((longer.vertices, longer.triangles), (plain.vertices, plain.triangles), "{name}");
     }
+}
+
+#[test]
+fn text_in_utf16_is_read() {
+    let plain = read_surface("a.obj", OBJ.as_bytes()).unwrap();
+    for encode in [u16::to_le_bytes, u16::to_be_bytes] {
+        let bytes: Vec<u8> = ['\u{feff}'.to_string(), OBJ.into()].concat().encode_utf16().flat_map(encode).collect();
+        assert_eq!(read_surface("a.obj", &bytes), Ok(plain.clone()));
+    }
+}
+
+#[test]
+fn faces_with_two_corners_are_dropped_and_counted() {
+    let surface = read_surface("a.obj", [OBJ, "f 1 2\nf 3\n"].concat().as_bytes()).unwrap();
+    assert_eq!(surface.triangles.len(), 2);
+    assert!(surface.notes.contains(&SurfaceNote::DroppedFaces { count: 2 }), "{:?}", surface.notes);
+}
+
+#[test]
+fn faces_of_off_go_on_in_the_next_lines() {
+    let plain = read_surface("a.off", OFF.as_bytes()).unwrap();
+    let broken = OFF.replace("3 0 1 2\n3 0 2 3 255\n", "3\n0 1 2\n3 0\n2 3 255\n");
+    assert_eq!(read_surface("a.off", broken.as_bytes()).unwrap(), plain);
+}
+
+const STRIPS: &str = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
+                      element tristrips 1\nproperty list int int vertex_indices\nend_header\n\
+                      0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+
+#[test]
+fn strips_of_ply_are_turned_alternately_and_end_at_minus_1() {
+    for (strips, expected) in [
+        ("4 0 1 3 2\n", vec![[0, 1, 3], [3, 1, 2]]),
+        ("7 0 1 3 -1 1 2 3\n", vec![[0, 1, 3], [1, 2, 3]]),
+        // a corner that is repeated turns the triangles after it
+        ("6 0 1 3 3 1 2\n", vec![[0, 1, 3], [1, 3, 2]]),
+    ] {
+        let surface = read_surface("a.ply", [STRIPS, strips].concat().as_bytes()).unwrap();
+        assert_eq!(surface.triangles, expected, "{strips}");
+    }
+    let error = read_surface("a.ply", [STRIPS, "3 0 1 4\n"].concat().as_bytes()).unwrap_err();
+    assert_eq!(error, SurfaceError::IndexOutOfRange { place: Place::Line(14), index: 4, vertices: 4 });
+}
+
+/// The header's list, then numbers that it does not name.
+#[test]
+fn rows_of_ply_may_be_longer_than_their_properties_and_stand_on_several_lines_or_on_one() {
+    let plain = read_surface("a.ply", PLY.as_bytes()).unwrap();
+    let longer = PLY.replace("3 0 1 2", "3 0 1 2 9 9 9").replace("3 0 2 3", "3 0 2 3 1 1 1");
+    assert_ne!(longer, PLY);
+    let surface = read_surface("a.ply", longer.as_bytes()).unwrap();
+    assert_eq!((surface.vertices, surface.triangles), (plain.vertices.clone(), plain.triangles.clone()));
+    let (head, body) = PLY.split_at(PLY.find("end_header\n").unwrap() + "end_header\n".len());
+    for between in [" ", "\n"] {
+        let body = body.split_ascii_whitespace().collect::<Vec<_>>().join(between);
+        let surface = read_surface("a.ply", [head, &*body, "\n"].concat().as_bytes()).unwrap();
+        assert_eq!((surface.vertices, surface.triangles), (plain.vertices.clone(), plain.triangles.clone()));
+    }
+}
+
+#[test]
+fn the_buffer_of_a_gltf_file_may_lie_beside_it_and_nowhere_else() {
+    let (document, buffer) = gltf_parts();
+    let with = |uri: &str| document.replace("URI", &format!(r#", "uri": "{uri}""#));
+    let plain = read_surface("a.gltf", gltf().as_bytes()).unwrap();
+    let mut asked = Vec::new();
+    let mut beside = |name: &str| {
+        asked.push(name.to_owned());
+        (name == "the square.bin").then(|| buffer.clone())
+    };
+    assert_eq!(read_surface_beside("a.gltf", with("the%20square.bin").as_bytes(), &mut beside).unwrap(), plain);
+    for away in ["../the square.bin", "/the square.bin", "http://a.b/the square.bin", "c:the square.bin"] {
+        assert!(read_surface_beside("a.gltf", with(away).as_bytes(), &mut beside).is_err(), "{away}");
+    }
+    assert_eq!(asked, ["the square.bin"]);
+}
+
+#[test]
+fn quantized_and_sparse_positions_are_read() {
+    // a triangle in 8 and in 16 bits, and one of which two corners differ from 0
+    let bytes: [i8; 12] = [0, 0, 0, 0, 127, 0, 0, 0, 0, -127, 0, 0];
+    let shorts: [i16; 9] = [0, 0, 0, 32_767, 0, 0, 0, -32_768, 0];
+    let floats: [f32; 6] = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    let mut buffer: Vec<u8> = bytes.iter().map(|&b| b as u8).collect();
+    buffer.extend(shorts.iter().flat_map(|s| s.to_le_bytes()));
+    buffer.extend([1, 0, 2, 0]);
+    buffer.extend(floats.iter().flat_map(|x| x.to_le_bytes()));
+    let data = {
+        use base64::Engine as _;
+        base64::engine::general_purpose::STANDARD.encode(&buffer)
+    };
+    let document = |accessor: &str| {
+        format!(
+            r#"{{"asset": {{"version": "2.0"}}, "extensionsRequired": ["KHR_mesh_quantization"], "nodes": [{{"mesh": 0}}],
+            "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}}}]}}], "accessors": [{accessor}],
+            "bufferViews": [{{"buffer": 0, "byteLength": 12, "byteStride": 4}}, {{"buffer": 0, "byteOffset": 12, "byteLength": 18}},
+                {{"buffer": 0, "byteOffset": 30, "byteLength": 4}}, {{"buffer": 0, "byteOffset": 34, "byteLength": 24}}],
+            "buffers": [{{"byteLength": 58, "uri": "data:;base64,{data}"}}]}}"#
+        )
+    };
+    let corners = |accessor: &str| read_surface("a.gltf", document(accessor).as_bytes()).unwrap().vertices;
+    let normalized = [DVec3::ZERO, DVec3::X, DVec3::NEG_Y];
+    let bytes = r#"{"bufferView": 0, "componentType": 5120, "normalized": true, "count": 3, "type": "VEC3"}"#;
+    assert_eq!(corners(bytes), normalized);
+    assert_eq!(corners(&bytes.replace("true", "false")), normalized.map(|p| 127.0 * p));
+    assert_eq!(corners(&bytes.replace("5120", "5122").replace("\"bufferView\": 0", "\"bufferView\": 1")), normalized);
+    let sparse = r#"{"componentType": 5126, "count": 3, "type": "VEC3", "sparse": {"count": 2,
+        "indices": {"bufferView": 2, "componentType": 5123}, "values": {"bufferView": 3}}}"#;
+    assert_eq!(corners(sparse), [DVec3::ZERO, DVec3::X, DVec3::Y]);
+    let beyond = document(&sparse.replace("\"count\": 3", "\"count\": 2"));
+    assert!(read_surface("a.gltf", beyond.as_bytes()).unwrap_err().to_string().contains("accessors[0]"));
 }

@@ -1,30 +1,188 @@
-//! Merges vertices at exactly the same position.
+//! Merges vertices that a program has split: at normals and texture seams, or for each face.
+//!
+//! Vertices at exactly the same position are merged if the surface is a disk then. Else, if it is a disk as it is, it stays:
+//! what looks like a seam is a cut. Else vertices within a billionth of its size are merged if that makes it a disk. Where
+//! nothing does, those at the same position are merged in formats that repeat them for each face, and in others if the
+//! surface has fewer parts or loops then.
 
 use crate::geometry::DVec3;
+use crate::surface::survey::connectivity;
 use crate::surface::{Surface, SurfaceNote};
 use std::collections::HashMap;
 
-/// Merges the vertices, which keep the order of their first occurrence. Cost O(n).
-pub(super) fn weld(surface: &mut Surface) {
+/// Vertices within this part of the surface's extent may be one vertex.
+const NEAR: f64 = 1e-9;
+
+/// The surface with what its program has split merged, and a note; `repeats` says whether the format repeats a vertex for each
+/// face. Cost O(n log d), n triangles with up to d at a vertex.
+pub(super) fn welded(surface: Surface, repeats: bool) -> Surface {
+    let exact = merged(&surface, 0.0);
+    if exact.as_ref().is_some_and(is_disk) {
+        return exact.unwrap_or(surface);
+    }
+    if is_disk(&surface) {
+        return match exact {
+            Some(exact) => left_apart(surface, exact.vertices.len()),
+            None => surface,
+        };
+    }
+    if let Some(near) = merged(&surface, NEAR * extent(&surface)).filter(is_disk) {
+        return near;
+    }
+    match exact {
+        Some(exact) if repeats || parts(&exact) < parts(&surface) => exact,
+        _ => surface,
+    }
+}
+
+/// The surface with a note that so many places are left of its vertices.
+fn left_apart(mut surface: Surface, places: usize) -> Surface {
+    surface.notes.push(SurfaceNote::LeftApart { vertices: surface.vertices.len() - places });
+    surface
+}
+
+fn is_disk(surface: &Surface) -> bool {
+    connectivity(surface).is_ok_and(|found| found.check_disk(surface).is_ok())
+}
+
+/// The numbers of components and of boundary loops; largest where they cannot be counted.
+fn parts(surface: &Surface) -> (usize, usize) {
+    connectivity(surface).map_or((usize::MAX, usize::MAX), |found| (found.sizes.len(), found.loops.len()))
+}
+
+/// The larger side of the box around the vertices.
+fn extent(surface: &Surface) -> f64 {
+    let ends = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let (low, high) = surface.vertices.iter().fold(ends, |(low, high), &p| (low.min(p), high.max(p)));
+    (high - low).max_element()
+}
+
+/// The surface with vertices of triangles within `distance` of an earlier one merged into it; `None` if there are none. They
+/// keep the order of their first occurrence. Cost O(n).
+fn merged(surface: &Surface, distance: f64) -> Option<Surface> {
     let before = surface.vertices.len();
-    let mut known: HashMap<[u64; 3], u32> = HashMap::with_capacity(before / 4);
-    let mut places: Vec<DVec3> = Vec::new();
-    let mut number = Vec::with_capacity(before);
-    for &point in &surface.vertices {
-        // −0 and 0 are the same position
-        let key = (point + DVec3::ZERO).to_array().map(f64::to_bits);
-        let vertex = *known.entry(key).or_insert_with(|| {
-            places.push(point);
-            places.len() as u32 - 1
-        });
-        number.push(vertex);
+    let mut is_corner = vec![false; before];
+    for &vertex in surface.triangles.as_flattened() {
+        *is_corner.get_mut(vertex as usize)? = true;
     }
+    let mut known = Places { distance, cells: HashMap::with_capacity(before / 4), met: Vec::new() };
+    let number = |(&point, &is_corner): (&DVec3, &bool)| if is_corner { known.number(point) } else { known.add(point) };
+    let numbers: Vec<u32> = surface.vertices.iter().zip(&is_corner).map(number).collect();
+    let places = known.met;
     if places.len() == before {
-        return;
+        return None;
     }
-    surface.notes.push(SurfaceNote::Welded { before, after: places.len() });
-    surface.vertices = places;
-    for corner in surface.triangles.as_flattened_mut() {
-        *corner = number[*corner as usize];
+    let mut notes = surface.notes.clone();
+    notes.push(SurfaceNote::Welded { before, after: places.len() });
+    let triangles = surface.triangles.iter().map(|corners| corners.map(|v| numbers[v as usize])).collect();
+    Some(Surface { vertices: places, triangles, notes, merged: Some(numbers) })
+}
+
+/// Places that were met, by cells.
+struct Places {
+    distance: f64,
+    cells: HashMap<[u64; 3], Vec<u32>>,
+    met: Vec<DVec3>,
+}
+
+impl Places {
+    /// The number of the place at a point, or of a new one.
+    fn number(&mut self, point: DVec3) -> u32 {
+        let near = self.cells_near(point).into_iter().filter_map(|cell| self.cells.get(&cell)).flatten();
+        let known = near.copied().find(|&k| self.met[k as usize].distance(point) <= self.distance);
+        known.unwrap_or_else(|| {
+            let number = self.add(point);
+            self.cells.entry(self.cell(point)).or_default().push(number);
+            number
+        })
+    }
+
+    /// The number of a new place, into which no other is merged.
+    fn add(&mut self, point: DVec3) -> u32 {
+        self.met.push(point);
+        self.met.len() as u32 - 1
+    }
+
+    /// The cell of a point: four distances wide, or the point alone.
+    fn cell(&self, point: DVec3) -> [u64; 3] {
+        let cell = if self.distance > 0.0 { (point / (4.0 * self.distance)).floor() } else { point };
+        // −0 and 0 are the same
+        (cell + DVec3::ZERO).to_array().map(f64::to_bits)
+    }
+
+    /// The cells that the box around a point reaches, each once.
+    fn cells_near(&self, point: DVec3) -> Vec<[u64; 3]> {
+        if self.distance <= 0.0 {
+            return vec![self.cell(point)];
+        }
+        let [low, high] = [-self.distance, self.distance].map(|by| self.cell(point + DVec3::splat(by)));
+        let mut cells: Vec<[u64; 3]> = (0..8_u32)
+            .map(|corner| std::array::from_fn(|axis| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] }))
+            .collect();
+        cells.sort_unstable();
+        cells.dedup();
+        cells
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::surface::{SurfaceMesh, SurfacePreset};
+
+    fn hemisphere() -> Surface {
+        SurfacePreset::Hemisphere.surface(40).unwrap()
+    }
+
+    /// Every triangle with corners of its own, moved by up to `off`.
+    fn soup(surface: &Surface, off: f64) -> Surface {
+        let corners = surface.triangles.as_flattened().iter().enumerate();
+        let moved = |(k, &v): (usize, &u32)| {
+            surface.vertices[v as usize] + off * DVec3::new((k % 3) as f64 - 1.0, (k % 5) as f64 - 2.0, 0.0) / 3.0
+        };
+        let triangles = (0..surface.triangles.len() as u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect();
+        Surface::new(corners.map(moved).collect(), triangles)
+    }
+
+    #[test]
+    fn soup_is_a_disk_again_exactly_or_nearly() {
+        let whole = hemisphere();
+        for off in [0.0, 1e-10, 3e-10] {
+            let joined = welded(soup(&whole, off), false);
+            assert!(SurfaceMesh::new(&joined).is_ok(), "{off:e}: {:?}", joined.notes);
+            assert_eq!(joined.vertices.len(), whole.vertices.len(), "{off:e}");
+            let before = 3 * whole.triangles.len();
+            assert_eq!(joined.notes, [SurfaceNote::Welded { before, after: whole.vertices.len() }]);
+        }
+        let apart = welded(soup(&whole, 1e-7), false);
+        assert_eq!(apart.vertices.len(), 3 * whole.triangles.len(), "too far apart");
+    }
+
+    /// A closed surface that is cut open along a path stays open, and says so.
+    #[test]
+    fn a_cut_that_makes_a_disk_stays() {
+        // a tetrahedron cut along two edges from vertex 0: vertices 0 and 4 are at the same place
+        let places = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]];
+        let places = places.map(DVec3::from_array).to_vec();
+        let cut = Surface::new(places, vec![[0, 2, 1], [0, 3, 2], [1, 2, 3], [4, 1, 3]]);
+        assert!(is_disk(&cut) && !is_disk(&merged(&cut, 0.0).unwrap()));
+        for repeats in [false, true] {
+            let kept = welded(cut.clone(), repeats);
+            assert_eq!((kept.vertices.len(), &*kept.notes), (5, &[SurfaceNote::LeftApart { vertices: 1 }][..]));
+        }
+    }
+
+    #[test]
+    fn what_is_no_disk_either_way_is_merged_where_that_joins_parts() {
+        let whole = hemisphere();
+        let twice = Surface::new(
+            [&*whole.vertices, &[DVec3::new(9.0, 0.0, 0.0), DVec3::new(9.0, 1.0, 0.0), DVec3::new(9.0, 0.0, 1.0)]]
+                .concat(),
+            [&*whole.triangles, &[[0, 1, 2].map(|k| k + whole.vertices.len() as u32)]].concat(),
+        );
+        assert_eq!(welded(twice.clone(), false), twice, "nothing is split");
+        let joined = welded(soup(&twice, 0.0), false);
+        assert_eq!(joined.vertices.len(), twice.vertices.len());
     }
 }
