@@ -6,6 +6,7 @@ use crate::platform::{Failure, Host, Mailbox};
 use eframe::WebRunner;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
+use std::sync::Arc;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::Closure;
 use web_sys::HtmlCanvasElement;
@@ -27,13 +28,18 @@ thread_local! {
     static LOSSES: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Rebuilds the graphics when the device is lost: WebGPU calls back, for WebGL the canvas gets an event.
+/// Rebuilds the graphics when the device is lost: WebGPU calls back, for WebGL the canvas gets an event. Calls on a lost
+/// device fail before anyone is told of the loss, with an error that would be a panic; any such error counts as a loss.
 pub fn watch_graphics(device: &wgpu::Device, _mailbox: Mailbox) {
     let number = DEVICE.get();
     device.set_device_lost_callback(move |_reason, message| {
         log::warn!("the graphics device was lost: {message}");
         lose_graphics(number);
     });
+    device.on_uncaptured_error(Arc::new(move |error| {
+        log::warn!("the graphics device failed: {error}");
+        lose_graphics(number);
+    }));
 }
 
 /// Listens to the loss of a canvas's context.
