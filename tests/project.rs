@@ -261,10 +261,8 @@ fn the_app_writes_the_files_of_the_command_line() {
     std::fs::write(&path, geojson(&[cap([10.0, 50.0], 12.0, 60)])).unwrap();
     let path = path.display().to_string();
     let bytes = std::fs::read(&path).unwrap();
-    let tasks = [
-        (path.as_str(), ProjectionTask::File { name: "cap.geojson".into(), bytes }),
-        ("preset:island", ProjectionTask::Island),
-    ];
+    let tasks =
+        [(path.as_str(), ProjectionTask::of_file("cap.geojson", bytes)), ("preset:island", ProjectionTask::Island)];
     for (name, task) in tasks {
         let found = task.run(&mut |_| true).unwrap().unwrap();
         for (format, text) in ProjectionFormat::ALL.into_iter().zip(&found.files) {

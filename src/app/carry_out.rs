@@ -61,6 +61,7 @@ impl RiemapApp {
             Action::CopyLink => self.copy_link(context),
             Action::Share(action) => self.share(action),
             Action::OpenOutline(side) => self.pick_file(FilePurpose::Outline(side)),
+            Action::OpenPart(side, number) => self.model.open_part(side, number),
             Action::OpenTrace(side) => self.pick_file(FilePurpose::Trace(side)),
             Action::TraceImage => self.trace_image(),
             Action::ShowUv(shown) => self.pictures.uv.is_shown = shown,

@@ -110,10 +110,11 @@ impl RiemapApp {
     pub(super) fn take_arrived(&mut self) {
         match self.model.take_arrived() {
             None => {}
-            Some(Arrived::Outline(origin, geographic)) => {
+            Some(Arrived::Outline(arrived)) => {
                 self.begin_change(Touched::ANOTHER_SHAPE);
-                if let Some(file) = geographic {
-                    self.messages.suggest(Offer::to_project(file));
+                let origin = arrived.origin;
+                if let Some(offer) = Offer::besides(arrived) {
+                    self.messages.suggest(offer);
                 }
                 if origin == Origin::PastedText {
                     self.editor.end_paste(&mut self.model, &mut self.pictures.views);
@@ -162,7 +163,7 @@ impl RiemapApp {
                 self.take_arrived();
             }
             FileKind::Lesson => self.take_lesson(purpose, name, &bytes),
-            FileKind::Region => self.project(ProjectionTask::File { name: name.to_owned(), bytes }),
+            FileKind::Region => self.project(ProjectionTask::of_file(name, bytes)),
             FileKind::Surface(side) => {
                 self.persistence.touch();
                 self.model.open_surface_in_turn(side, name, bytes);
@@ -278,11 +279,12 @@ impl RiemapApp {
 
     /// Reads the dropped files for the side over which they were dropped.
     pub(super) fn take_dropped(&mut self, context: &egui::Context) {
+        if self.input.dropped.is_empty() {
+            return;
+        }
         let place = platform::drop_position(context);
         let over_target = place.is_some_and(|place| self.pictures.views[Side::Target].rect.contains(place));
         let side = if over_target { Side::Target } else { Side::Source };
-        for file in self.input.dropped.drain(..) {
-            platform::read_dropped(file, side, self.workers.mailbox.clone());
-        }
+        platform::read_dropped(std::mem::take(&mut self.input.dropped), side, self.workers.mailbox.clone());
     }
 }

@@ -83,7 +83,7 @@ pub fn show(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
             actions.push(Action::DismissMessage);
         }
         if let Some(offer) = app.messages.offer.as_ref().filter(|_| *has_offer) {
-            offer::show(ui, offer, actions);
+            offer::show(ui, offer, &app.model, actions);
         }
     });
 }

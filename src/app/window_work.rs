@@ -134,10 +134,13 @@ impl RiemapApp {
             ProjectionAction::OpenFile => self.pick_file(FilePurpose::Region),
             ProjectionAction::Island => self.project(ProjectionTask::Island),
             ProjectionAction::Offered => {
-                if let Some(file) = self.messages.offer.take().and_then(Offer::into_region) {
-                    self.project(ProjectionTask::File { name: file.name, bytes: file.bytes.to_vec() });
+                if let Some(opened) = self.messages.offer.take().and_then(Offer::into_region) {
+                    let task = ProjectionTask::of_file(&opened.file.name, opened.file.bytes.to_vec());
+                    self.project(task.with_feature(opened.part));
                 }
             }
+            ProjectionAction::Feature(feature) => self.project_again(|task| task.with_feature(feature)),
+            ProjectionAction::Repair => self.project_again(ProjectionTask::repaired),
             ProjectionAction::Save(format) => {
                 if let Some(file) = self.windows.projection.file(format) {
                     platform::save_file(&file.name, file.bytes, self.workers.mailbox.clone());
@@ -155,6 +158,13 @@ impl RiemapApp {
     pub(in crate::app) fn project(&mut self, task: ProjectionTask) {
         self.windows.projection.begin(task.clone());
         self.workers.projection_runner.begin(Study::Projection(Box::new(task)));
+    }
+
+    /// Computes the projection of another region of the file that is shown.
+    fn project_again(&mut self, change: impl FnOnce(ProjectionTask) -> ProjectionTask) {
+        if let Some(task) = self.windows.projection.task().cloned() {
+            self.project(change(task));
+        }
     }
 
     fn cancel_projection(&mut self) {

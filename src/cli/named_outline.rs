@@ -6,7 +6,7 @@ use super::repair::RepairArgument;
 use super::side::is_surface;
 use crate::conformal::{KernelMode, PrepareError, PrepareSettings, PreparedSide, Stage, prepare, prepare_curve};
 use crate::geometry::{DVec2, SimplePolygon};
-use crate::outline::{self, Interpreted, Outline, Preset};
+use crate::outline::{self, Contents, Interpreted, Outline, PartChoice, Preset};
 use std::io::Read as _;
 use std::str::FromStr as _;
 
@@ -113,7 +113,7 @@ impl ReadingArguments {
         let mut parts = self.parts.iter();
         let of = |name: &&str| {
             let is_file = !name.starts_with("preset:") && !is_surface(name);
-            let part = if is_file { parts.next().map(String::as_str) } else { None };
+            let part = if is_file { parts.next().map(|part| PartChoice::Called(part)) } else { None };
             outline::Reading { repair: self.repair.is_some(), part }
         };
         let readings = names.iter().map(of).collect();
@@ -133,6 +133,6 @@ pub fn read_outline(name: &str, how: &outline::Reading) -> Result<NamedOutline, 
     }
     let bytes = read_file(name, outline::MAX_BYTES)?;
     let refused = |error: outline::OutlineError| CliError::Input(format!("{name}: {error}"));
-    let (outline, vertices) = outline::parse_with_vertices(name, &bytes, how).map_err(refused)?;
+    let Contents { outline, vertices, .. } = outline::parse_contents(name, &bytes, how).map_err(refused)?;
     Ok(NamedOutline { outline, vertices, preset: None })
 }

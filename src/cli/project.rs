@@ -8,7 +8,7 @@ use super::project_arguments::ProjectArguments;
 use crate::counted::counted;
 use crate::export::{ProjectionFormat, ProjectionReport};
 use crate::geometry::DVec2;
-use crate::outline::{GeoRing, MAX_BYTES, Reading, parse_geo_rings};
+use crate::outline::{GeoRing, MAX_BYTES, PartChoice, Reading, parse_geo_rings};
 use crate::projection::{self, Projection, Region};
 use std::path::{Path, PathBuf};
 
@@ -24,7 +24,7 @@ pub fn run(arguments: &ProjectArguments) -> Result<(), CliError> {
             return Err(CliError::Input(format!("no region is built in by the name {other:?}: there is island")));
         }
         None => {
-            let how = Reading { repair: arguments.repair, part: arguments.feature.as_deref() };
+            let how = Reading { repair: arguments.repair, part: arguments.feature.as_deref().map(PartChoice::Called) };
             parse_geo_rings(&read_file(&arguments.region, MAX_BYTES)?, &how).map_err(|error| refused(&error))?
         }
     };

@@ -6,7 +6,7 @@ use crate::boundary_integral::BoundaryIntegralError;
 use crate::conformal::{Marks, PrepareSettings, QuadrilateralError, Side, rectangle_corners};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::mesh::{TriangleId, VertexId};
-use crate::outline::{OutlineNote, Reading, Sampling, parse, parse_as, parse_geo_rings, sample};
+use crate::outline::{OutlineNote, PartChoice, Reading, Sampling, parse, parse_as, parse_geo_rings, sample};
 use crate::projection::{ProjectionError, Region};
 use crate::session::file::FileError;
 use crate::session::lesson::{LessonError, StepError};
@@ -156,7 +156,9 @@ fn files_that_are_no_outlines() {
         check(&key::about(name, message(&error)), false);
     }
     german(&parse("a.csv", b"0,0\n1,\xff\x01\n").unwrap_err());
-    let part = |text: &str| parse_as("a", text.as_bytes(), &Reading { repair: false, part: Some("b") }).unwrap_err();
+    let part = |text: &str| {
+        parse_as("a", text.as_bytes(), &Reading { repair: false, part: Some(PartChoice::Called("b")) }).unwrap_err()
+    };
     let shapes = |ids: [&str; 2]| {
         let paths = ids.map(|id| format!("<path {id} d=\"M0 0h9v9z\"/>")).concat();
         format!("<svg xmlns=\"http://www.w3.org/2000/svg\">{paths}</svg>")

@@ -135,6 +135,37 @@ impl FileKind {
     }
 }
 
+/// A file that was dropped: its name, and its content or why it cannot be read.
+pub type DroppedFile = (String, Result<Vec<u8>, String>);
+
+/// Files that were dropped together, where a glTF document contains its buffers, which are no files of their own.
+pub fn gathered(files: Vec<DroppedFile>) -> Vec<DroppedFile> {
+    let mut is_buffer = vec![false; files.len()];
+    let mut documents = Vec::new();
+    for (k, (name, document)) in files.iter().enumerate() {
+        let Some(document) = document.as_ref().ok().filter(|_| has_ending(name, &["gltf"])) else { continue };
+        let readable = || files.iter().enumerate().filter(|(at, _)| *at != k);
+        let others: Vec<(usize, (&str, &[u8]))> =
+            readable().filter_map(|(at, (name, bytes))| Some((at, (leaf(name), bytes.as_deref().ok()?)))).collect();
+        let named: Vec<(&str, &[u8])> = others.iter().map(|&(_, file)| file).collect();
+        if let Some((whole, used)) = crate::surface::embedded(document, &named) {
+            for at in used {
+                is_buffer[others[at].0] = true;
+            }
+            documents.push((k, whole));
+        }
+    }
+    let mut files = files;
+    for (k, whole) in documents {
+        files[k].1 = Ok(whole);
+    }
+    files.into_iter().zip(is_buffer).filter_map(|(file, is_buffer)| (!is_buffer).then_some(file)).collect()
+}
+
+fn leaf(name: &str) -> &str {
+    name.rsplit(['/', '\\']).next().unwrap_or(name)
+}
+
 /// The outline of the largest shape in a picture. Errors: the reason, for the user.
 pub fn traced(picture: &Picture) -> Result<Outline, UserError> {
     let stem = picture.name.rsplit_once('.').map_or(picture.name.as_str(), |(stem, _)| stem);
@@ -153,6 +184,7 @@ mod tests {
     use super::*;
     use crate::outline::Preset;
     use crate::session::{Command, OutlineSpec, Session, SurfaceSpec, TextureKind};
+    use crate::surface::read_surface;
 
     #[test]
     fn a_dropped_png_is_a_texture_whatever_the_case_of_its_ending() {
@@ -169,6 +201,25 @@ mod tests {
         assert_eq!([source, target].map(|purpose| FileKind::of(purpose, "a.riemap")), [FileKind::Session; 2]);
         assert_eq!(FileKind::of(FilePurpose::Session, "a.json"), FileKind::Session);
         assert_eq!(FileKind::of(target, "a.json"), FileKind::Outline(Side::Target));
+    }
+
+    #[test]
+    fn a_gltf_document_that_is_dropped_with_its_buffer_is_one_file() {
+        let text = concat!(
+            r#"{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"#,
+            r#""meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"#,
+            r#""accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"#,
+            r#""bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"a%20b.bin"}]}"#,
+        );
+        let corners: [f32; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+        let buffer = ("a b.bin".to_owned(), Ok(corners.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>()));
+        let document = ("surface.gltf".to_owned(), Ok(text.as_bytes().to_vec()));
+        let image = ("a.png".to_owned(), Err("unreadable".to_owned()));
+        let gathered = gathered(vec![buffer.clone(), image.clone(), document.clone()]);
+        assert_eq!(gathered.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), ["a.png", "surface.gltf"]);
+        let whole = gathered[1].1.as_ref().unwrap();
+        assert!(read_surface("surface.gltf", whole).is_ok() && read_surface("a.gltf", &document.1.unwrap()).is_err());
+        assert_eq!(super::gathered(vec![buffer.clone(), image.clone()]), [buffer, image]);
     }
 
     #[test]

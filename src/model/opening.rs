@@ -17,7 +17,8 @@ use crate::model::names;
 use crate::model::side::ModelSide;
 use crate::model::side::opened_file::{InFlight, OpenedFile, Origin};
 use crate::model::side::user_error::{QuickFix, UserError};
-use crate::outline::Outline;
+use crate::outline::{Outline, Parts};
+use crate::session::OutlineSpec;
 use crate::session::file::Archive;
 use crate::worker::{NamedFile, Response, Unread};
 use std::sync::Arc;
@@ -25,8 +26,8 @@ use std::sync::Arc;
 /// The result of parsing a file or a pasted text.
 #[derive(Debug)]
 pub enum Arrived {
-    /// An outline, which is now being prepared; and its file, if its coordinates may be longitudes and latitudes.
-    Outline(Origin, Option<NamedFile>),
+    /// An outline, which is now being prepared.
+    Outline(ArrivedOutline),
     /// A surface, which is prepared and shown on its side.
     Surface,
     /// A session with its undo steps and its files, and the files that were opened after it; pass them to [`Model::open_later`] once it is open.
@@ -35,6 +36,28 @@ pub enum Arrived {
     NoSession(Message),
     /// The text pasted for this side is not an outline.
     NoOutline(Side, Message),
+}
+
+/// An outline that was read from a file or a pasted text.
+#[derive(Debug)]
+pub struct ArrivedOutline {
+    /// Its side.
+    pub side: Side,
+    /// Where the bytes came from.
+    pub origin: Origin,
+    /// Its file, if its coordinates may be longitudes and latitudes.
+    pub geographic: Option<OpenedFile>,
+    /// The number of shapes or features of the file, if there are several.
+    pub of_several: Option<usize>,
+}
+
+/// A file that holds more than the outline that was read from it.
+#[derive(Debug, Clone)]
+pub(in crate::model) struct OpenedParts {
+    opened: OpenedFile,
+    parts: Parts,
+    /// The outline that was read.
+    outline: OutlineSpec,
 }
 
 /// The opened files that are not shown yet.
@@ -71,7 +94,29 @@ impl Model {
 
     fn read(&mut self, side: Side, origin: Origin, name: &str, bytes: Vec<u8>) {
         let file = NamedFile { name: name.to_owned(), bytes: Arc::new(bytes) };
-        let opened = OpenedFile { origin, file };
+        self.read_opened(side, OpenedFile { origin, file, part: None });
+    }
+
+    /// Requests another shape or feature of the file from which a side's outline was read.
+    pub fn open_part(&mut self, side: Side, number: usize) {
+        if let Some(OpenedParts { opened, .. }) = self.opened_parts(side) {
+            let opened = OpenedFile { origin: Origin::OutlineFile, part: Some(number), ..opened.clone() };
+            self.read_opened(side, opened);
+        }
+    }
+
+    /// The name of the file from which a side's outline was read and what else it holds, if that is something.
+    pub fn parts(&self, side: Side) -> Option<(&str, &Parts)> {
+        self.opened_parts(side).map(|OpenedParts { opened, parts, .. }| (opened.file.name.as_str(), parts))
+    }
+
+    /// Nothing once the outline is another one.
+    fn opened_parts(&self, side: Side) -> Option<&OpenedParts> {
+        let is_outline = self.session.surface(side).is_none();
+        self.sides[side].parts.as_ref().filter(|parts| is_outline && parts.outline == self.side(side).wanted().outline)
+    }
+
+    fn read_opened(&mut self, side: Side, opened: OpenedFile) {
         match opened.too_large() {
             Some(unread) => self.refuse_file(side, opened, unread),
             None => self.read_in_turn(side, opened),
@@ -108,7 +153,7 @@ impl Model {
     pub(super) fn accept_read(&mut self, side: Side, generation: u64, response: Response) {
         let reading = &mut self.sides[side].reading;
         match reading.take_in(generation, response) {
-            Some(Response::Outline(outline)) => self.take_outline(side, *outline),
+            Some(Response::Outline(outline, parts)) => self.take_outline(side, *outline, parts),
             Some(Response::Session(archive)) => {
                 reading.end();
                 self.opening.arrived = Some(Arrived::Session(archive, std::mem::take(&mut self.opening.queue)));
@@ -122,15 +167,22 @@ impl Model {
         }
     }
 
-    fn take_outline(&mut self, side: Side, outline: Outline) {
+    fn take_outline(&mut self, side: Side, outline: Outline, parts: Option<Parts>) {
         let request = self.sides[side].reading.end();
         let Some(InFlight { opened, settings }) = request.under_way() else { return };
-        let (origin, settings) = (opened.origin, *settings);
-        let geographic = outline.is_geographic().then(|| opened.file.clone());
+        let (opened, settings) = (opened.clone(), *settings);
         let notes = outline.notes().to_vec();
-        self.replace_outline(side, outline.into(), notes);
+        let arrived = ArrivedOutline {
+            side,
+            origin: opened.origin,
+            geographic: outline.is_geographic().then(|| opened.clone()),
+            of_several: parts.as_ref().map(|parts| parts.count),
+        };
+        let outline = OutlineSpec::from(outline);
+        self.sides[side].parts = parts.map(|parts| OpenedParts { opened, parts, outline: outline.clone() });
+        self.replace_outline(side, outline, notes);
         self.side_mut(side).take_over(&request, settings);
-        self.opening.arrived = Some(Arrived::Outline(origin, geographic));
+        self.opening.arrived = Some(Arrived::Outline(arrived));
     }
 
     /// Reports a file that could not be read; the repaired outline, if any, is its quick fix.

@@ -25,8 +25,8 @@ pub use flatten::flattened;
 pub use interpretation::{CurveForm, CurveSource, Interpretation, Interpreted, LEAST_SMOOTH, OutlineCurve};
 #[cfg(feature = "io")]
 pub use parse::{
-    GeoJsonFault, GeoRing, JsonFault, JsonKind, MAX_BYTES, OutlineError, PointFault, Reading, SvgFault, parse,
-    parse_as, parse_geo_rings, parse_points, parse_with_vertices,
+    Contents, GeoJsonFault, GeoRing, JsonFault, JsonKind, MAX_BYTES, OutlineError, Part, PartChoice, Parts, PointFault,
+    Reading, SvgFault, parse, parse_as, parse_contents, parse_geo_rings, parse_points,
 };
 pub use preset::{Preset, UnknownPreset};
 pub use sampling::{BoundaryPoint, BoundarySamples, BrokenSamples, MAX_SAMPLES, Sampling, SamplingError, sample};
@@ -127,6 +127,8 @@ pub enum OutlineNote {
         /// The `id` of its path.
         name: Option<String>,
     },
+    /// The y axis of a drawing points down, and up here.
+    Upwards,
     /// Points equal to the one before them were dropped.
     RepeatedPointsDropped {
         /// Number of points dropped.
@@ -162,6 +164,7 @@ impl fmt::Display for OutlineNote {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Reversed => f.write_str("The points ran clockwise and were reversed."),
+            Self::Upwards => f.write_str("y points up: (x, y) of the drawing is (x, −y) here."),
             Self::ShapeTaken { number, count, name: None } => write!(f, "Shape {number} of {count} was taken."),
             Self::ShapeTaken { number, count, name: Some(name) } => {
                 write!(f, "Shape {number} of {count} was taken, \"{name}\".")

@@ -6,7 +6,7 @@
 use super::{Event, Failure, Host, Kept, Mailbox, PageEvent};
 use crate::conformal::Side;
 use crate::language::{Message, key};
-use crate::model::files::{FilePurpose, endings};
+use crate::model::files::{FilePurpose, endings, gathered};
 use crate::worker::{self, Advance, Finding, Request, Study};
 use etcetera::BaseStrategy as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -173,11 +173,16 @@ pub fn save_file(name: &str, bytes: Vec<u8>, mailbox: Mailbox) {
     });
 }
 
-/// Reads a dropped file and posts its content to `mailbox`.
-pub fn read_dropped(file: egui::DroppedFileHandle, side: Side, mailbox: Mailbox) {
+/// Reads files that were dropped together and posts their content to `mailbox`.
+pub fn read_dropped(files: Vec<egui::DroppedFileHandle>, side: Side, mailbox: Mailbox) {
     thread::spawn(move || {
-        let name = file.path().file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        mailbox.post(Event::File { purpose: FilePurpose::Dropped(side), name, bytes: file.bytes() });
+        let read = |file: egui::DroppedFileHandle| {
+            let name = file.path().file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+            (name, file.bytes())
+        };
+        for (name, bytes) in gathered(files.into_iter().map(read).collect()) {
+            mailbox.post(Event::File { purpose: FilePurpose::Dropped(side), name, bytes });
+        }
     });
 }
 

@@ -48,8 +48,8 @@ pub use note::{Place, SurfaceNote};
 pub use preset::{SurfacePreset, UnknownSurfacePreset};
 #[cfg(feature = "io")]
 pub use read::{
-    ENDINGS, Fault, Item, MAX_BYTES, MAX_TRIANGLES, SurfaceError, Unsupported, check_size, names_format, read_surface,
-    read_surface_beside,
+    ENDINGS, Fault, Item, MAX_BYTES, MAX_TRIANGLES, SurfaceError, Unsupported, check_size, embedded, names_format,
+    read_surface, read_surface_beside,
 };
 pub use repair::RepairNote;
 pub use survey::{MAX_COORDINATE, MIN_EXTENT};

@@ -5,7 +5,7 @@
 
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::language::Message;
-use crate::outline::{Outline, Reading, parse, parse_as};
+use crate::outline::{Contents, Outline, PartChoice, Reading, parse_as, parse_contents};
 use crate::session::OutlineSpec;
 use crate::session::file::{self, Archive, Attachment, Steps};
 use std::sync::Arc;
@@ -29,11 +29,13 @@ pub struct Unread {
 }
 
 impl NamedFile {
-    /// Parses an outline. Errors: the reason, with the repaired outline if safe repairs make it valid.
-    pub fn outline(&self) -> Result<Outline, Unread> {
-        parse(&self.name, &self.bytes).map_err(|error| Unread {
+    /// Parses an outline: the part of this number, or the largest. Errors: the reason, with the repaired outline if safe
+    /// repairs make it valid.
+    pub fn outline(&self, part: Option<usize>) -> Result<Contents, Unread> {
+        let how = Reading { repair: false, part: part.map(PartChoice::Number) };
+        parse_contents(&self.name, &self.bytes, &how).map_err(|error| Unread {
             text: Message::from(&error),
-            repaired: parse_as(&self.name, &self.bytes, &Reading { repair: true, part: None }).ok().map(Box::new),
+            repaired: parse_as(&self.name, &self.bytes, &Reading { repair: true, ..how }).ok().map(Box::new),
         })
     }
 
@@ -118,7 +120,7 @@ mod tests {
 
     #[test]
     fn an_outline_crosses_as_it_was_read_with_its_notes() {
-        let outline = named("a.csv", "0,0\n0,2\n2,2\n2,0\n0,0\n").outline().unwrap();
+        let outline = named("a.csv", "0,0\n0,2\n2,2\n2,0\n0,0\n").outline(None).unwrap().outline;
         assert!(outline.notes().len() == 2, "reversed and closed: {:?}", outline.notes());
         assert_eq!(FlatOutline::from(&outline).outline().unwrap(), outline);
         assert_eq!(FlatOutline { points: Vec::new(), text: "{".into() }.outline(), None);
@@ -126,15 +128,15 @@ mod tests {
 
     #[test]
     fn a_spike_can_be_cut_off_and_a_crossing_cannot() {
-        let spike = named("a.json", "[[0,0],[2,0],[2,1],[3,1],[2,1],[2,2],[0,2]]").outline().unwrap_err();
+        let spike = named("a.json", "[[0,0],[2,0],[2,1],[3,1],[2,1],[2,2],[0,2]]").outline(None).unwrap_err();
         assert_eq!(spike.repaired.unwrap().name(), "a");
         // which part is meant is not for a machine to say
-        assert_eq!(named("a.json", "[[0,0],[2,2],[2,0],[0,3]]").outline().unwrap_err().repaired, None);
+        assert_eq!(named("a.json", "[[0,0],[2,2],[2,0],[0,3]]").outline(None).unwrap_err().repaired, None);
     }
 
     #[test]
     fn a_session_crosses_bit_for_bit_with_its_loaded_outlines_points_surface_steps_and_files() {
-        let outline = named("a.csv", "0,0\n0.1,0\n0.3,0.7\n").outline().unwrap();
+        let outline = named("a.csv", "0,0\n0.1,0\n0.3,0.7\n").outline(None).unwrap().outline;
         let before = Session::with([Command::SetOutline { side: Side::Target, outline: outline.into() }]);
         let session = before.clone().and([
             Command::MoveInterior { side: Side::Target, point: DVec2::new(0.13, 1.0 / 7.0).into() },

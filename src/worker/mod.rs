@@ -21,7 +21,7 @@ pub use formula::{FormulaTask, FoundFormula};
 pub use grid::{FoundGrid, GridContent, GridTask};
 pub use invariants::{FoundInvariants, InvariantsTask, Number, StudiedOutline};
 pub use packed::{packed, unpacked};
-pub use projection::{DrawnScale, FoundProjection, Land, ProjectionTask};
+pub use projection::{DrawnScale, Feature, FoundProjection, Land, ProjectionTask, RefusedProjection};
 pub use rehearsal::rehearsal;
 pub use sketch::{Place, Sketch};
 pub use study::{Advance, Finding, Study};
@@ -35,7 +35,7 @@ use crate::conformal::{
 };
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::language::Message;
-use crate::outline::{CurveForm, Outline};
+use crate::outline::{Contents, CurveForm, Outline, Parts};
 use crate::session::OutlineSpec;
 use crate::session::file::Archive;
 use crate::surface::{Surface, SurfaceMesh, SurfacePreset, read_surface};
@@ -86,6 +86,8 @@ pub enum Task {
     OutlineFile {
         /// The file.
         file: NamedFile,
+        /// The number of the shape or the feature that is meant, counted from 1; the largest if there is none.
+        part: Option<usize>,
         /// How to discretize it.
         settings: PrepareSettings,
     },
@@ -147,8 +149,8 @@ pub enum SurfaceSource {
 pub enum Response {
     /// The start of a stage.
     Progress(Stage),
-    /// The outline of a file is parsed; its inside is prepared next.
-    Outline(Box<Outline>),
+    /// The outline of a file is parsed; its inside is prepared next. With what else the file holds.
+    Outline(Box<Outline>, Option<Parts>),
     /// What the points of an outline are taken for; it is prepared next.
     Taken(Box<Taken>),
     /// The session of a file is read, with its undo steps and the files that it uses.
@@ -187,7 +189,7 @@ impl Failure {
 impl Response {
     /// Whether more responses to the same request follow.
     pub fn goes_on(&self) -> bool {
-        matches!(self, Self::Progress(_) | Self::Outline(_) | Self::Taken(_))
+        matches!(self, Self::Progress(_) | Self::Outline(..) | Self::Taken(_))
     }
 }
 
@@ -206,7 +208,7 @@ pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
                 Err(error) => Response::Failed(Failure::new(&error)),
             }
         }
-        Task::OutlineFile { file, settings } => outline_file(file, settings, answer),
+        Task::OutlineFile { file, part, settings } => outline_file(file, *part, settings, answer),
         Task::SessionFile(file) => match file.archive() {
             Ok(archive) => Response::Session(Box::new(archive)),
             Err(unread) => Response::Unread(unread),
@@ -259,14 +261,20 @@ fn prepared(outline: &Drawn, settings: &PrepareSettings, answer: &mut dyn FnMut(
     }
 }
 
-fn outline_file(file: &NamedFile, settings: &PrepareSettings, answer: &mut dyn FnMut(Response)) -> Response {
+fn outline_file(
+    file: &NamedFile,
+    part: Option<usize>,
+    settings: &PrepareSettings,
+    answer: &mut dyn FnMut(Response),
+) -> Response {
     answer(Response::Progress(Stage::Read));
-    let read = match file.outline() {
+    let Contents { outline, parts, .. } = match file.outline(part) {
         Ok(read) => read,
         Err(unread) => return Response::Unread(unread),
     };
-    answer(Response::Outline(Box::new(read.clone())));
-    prepared(&Drawn::from(&read), settings, answer)
+    let drawn = Drawn::from(&outline);
+    answer(Response::Outline(Box::new(outline), parts));
+    prepared(&drawn, settings, answer)
 }
 
 impl SurfaceSource {
@@ -335,11 +343,13 @@ mod tests {
     #[test]
     fn an_outline_of_a_file_is_said_before_its_inside_is_prepared() {
         let file = NamedFile { name: "a.csv".into(), bytes: Arc::new(b"0,0\n1,0\n0,1\n".to_vec()) };
-        let task = Task::OutlineFile { file: file.clone(), settings: PrepareSettings::default() };
+        let task = Task::OutlineFile { file: file.clone(), part: None, settings: PrepareSettings::default() };
         let mut answers = Vec::new();
         run(&Request { generation: 3, task }, &mut |_, response| answers.push(response));
         assert!(matches!(answers[0], Response::Progress(Stage::Read)) && answers[0].goes_on());
-        assert!(matches!(&answers[1], Response::Outline(outline) if **outline == file.outline().unwrap()));
+        assert!(
+            matches!(&answers[1], Response::Outline(outline, None) if **outline == file.outline(None).unwrap().outline)
+        );
         let last = answers.pop().unwrap();
         assert!(matches!(&last, Response::Prepared(side, _) if side.domain().is_some()) && !last.goes_on());
         assert!(answers.iter().all(Response::goes_on));

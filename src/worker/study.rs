@@ -6,7 +6,7 @@
 use super::formula::{FormulaTask, FoundFormula};
 use super::grid::{FoundGrid, GridTask};
 use super::invariants::{FoundInvariants, InvariantsTask, StudiedOutline};
-use super::projection::{FoundProjection, ProjectionTask};
+use super::projection::{FoundProjection, ProjectionTask, RefusedProjection};
 use super::symmetry::FoundSymmetries;
 use crate::figures::{BenchRow, ConvergenceRow, ConvergenceStudy, Detail, FigureError, LadderRow, Measurement, Rung};
 use crate::language::{Message, key};
@@ -64,6 +64,8 @@ pub enum Finding {
     Grid(Box<FoundGrid>),
     /// The map projection of a region.
     Projection(Box<FoundProjection>),
+    /// Why there is no map projection.
+    NoProjection(Box<RefusedProjection>),
     /// The share that is done; more findings of the same study follow.
     Progress(f64),
     /// Why there is no result.
@@ -135,7 +137,7 @@ impl Study {
             },
             Self::Projection(task) => match task.run(report) {
                 Ok(found) => Finding::Projection(Box::new(found?)),
-                Err(reason) => Finding::Failed(reason),
+                Err(refused) => Finding::NoProjection(refused),
             },
             _ => self.try_run().unwrap_or_else(|error| Finding::Failed(Message::from(&error))),
         })

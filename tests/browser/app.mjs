@@ -389,11 +389,19 @@ export class App {
   }
 
   /** Drops a file on the canvas at a point of the window, as from a file manager. */
-  async dropFile(at, name, text) {
+  dropFile(at, name, text) {
+    return this.dropFiles(at, { [name]: Buffer.from(text) });
+  }
+
+  /** Drops files together: their names and bytes. */
+  async dropFiles(at, files) {
+    const encoded = Object.entries(files).map(([name, bytes]) => [name, bytes.toString('base64')]);
     await this.#page.evaluate(
-      ([[clientX, clientY], fileName, content]) => {
+      ([[clientX, clientY], dropped]) => {
         const dataTransfer = new DataTransfer();
-        dataTransfer.items.add(new File([content], fileName));
+        for (const [name, base64] of dropped) {
+          dataTransfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+        }
         const canvas = document.querySelector('canvas');
         for (const type of ['dragenter', 'dragover', 'drop']) {
           canvas.dispatchEvent(
@@ -401,7 +409,7 @@ export class App {
           );
         }
       },
-      [at, name, text],
+      [at, encoded],
     );
     await this.#frames();
   }

@@ -36,6 +36,8 @@ pub enum Action {
     Share(ShareAction),
     /// Show the dialog that opens an outline file for this side.
     OpenOutline(Side),
+    /// Take the shape or the feature of this number of the file from which a side's outline was read.
+    OpenPart(Side, usize),
     /// Show the dialog that opens an image whose outline is traced for this side.
     OpenTrace(Side),
     /// Trace the outline of the image that was opened last.
@@ -119,7 +121,9 @@ impl Action {
                 | ExploreAction::Again,
             )
             | Self::Lesson(LessonAction::Show(_) | LessonAction::Play) => Touched::EVERYTHING,
-            Self::OpenOutline(_) | Self::OpenTrace(_) | Self::TraceImage | Self::PasteText(_) => Touched::ANOTHER_SHAPE,
+            Self::OpenOutline(_) | Self::OpenPart(..) | Self::OpenTrace(_) | Self::TraceImage | Self::PasteText(_) => {
+                Touched::ANOTHER_SHAPE
+            }
             Self::OpenImage | Self::UseImage => Touched::PATTERN,
             Self::Play(_) => Touched::POINTS,
             Self::Best(action) => action.leads_to(),
@@ -330,6 +334,10 @@ pub enum ProjectionAction {
     Offered,
     /// Save the map.
     Save(ProjectionFormat),
+    /// Show the feature of this number of the region's file, or all.
+    Feature(Option<usize>),
+    /// Show the region of the file after repairs.
+    Repair,
     /// Cancel the computation.
     Cancel,
     /// Cancel the computation and close the window.

@@ -1,19 +1,23 @@
 //! The offer to trace the outline of an image: of one that has just become the texture, or, as a question that waits for
-//! its answer, of one that was opened as an outline; and the offer to show the file of an outline as a map of the globe.
+//! its answer, of one that was opened as an outline; and the offers to take another shape of an outline's file, and to
+//! show it as a map of the globe.
 
+use super::parts;
 use crate::app::input::action::{Action, Actions, ProjectionAction};
 use crate::app::input::locks::menu_entry;
 use crate::app::theme::{ROW_HEIGHT, control_height};
 use crate::conformal::Side;
 use crate::language::{Label, key, say, tr};
+use crate::model::Model;
 use crate::model::editing::tracing;
 use crate::model::files;
 use crate::model::files::Picture;
+use crate::model::opening::ArrivedOutline;
+use crate::model::side::opened_file::OpenedFile;
 use crate::model::side::user_error::UserError;
 use crate::outline::Outline;
 use crate::session::file::Attachment;
-use crate::worker::NamedFile;
-use egui::{Button, Ui, vec2};
+use egui::{Button, Popup, Ui, vec2};
 
 /// How long the offer is shown, in seconds: a sentence and two buttons are read in five.
 const SECONDS: f64 = 12.0;
@@ -34,8 +38,8 @@ enum Offered {
         /// The image and its file, if it is not in use yet: then the offer is a question.
         unused: Option<(Picture, Attachment)>,
     },
-    /// The file of an outline can be shown as a map of the globe.
-    Projection(NamedFile),
+    /// The file of a side's outline can be shown as a map of the globe, or holds several shapes.
+    Read(ArrivedOutline),
 }
 
 impl From<Offered> for Offer {
@@ -55,9 +59,9 @@ impl Offer {
         Offered::Tracing { side, picture: reduced(&picture), unused: Some((picture, file)) }.into()
     }
 
-    /// Offers to show a file as a map.
-    pub fn to_project(file: NamedFile) -> Self {
-        Offered::Projection(file).into()
+    /// Offers what the file of an outline gives besides: a map of the globe, or other shapes; nothing if it does not.
+    pub fn besides(arrived: ArrivedOutline) -> Option<Self> {
+        (arrived.geographic.is_some() || arrived.of_several.is_some()).then(|| Offered::Read(arrived).into())
     }
 
     /// The image and its file, if the offer is a question.
@@ -66,8 +70,8 @@ impl Offer {
     }
 
     /// The file that can be shown as a map.
-    pub fn into_region(self) -> Option<NamedFile> {
-        if let Offered::Projection(file) = self.offered { Some(file) } else { None }
+    pub fn into_region(self) -> Option<OpenedFile> {
+        if let Offered::Read(arrived) = self.offered { arrived.geographic } else { None }
     }
 
     /// Traces the image, if the offer is one to do so; returns the side that the outline is for.
@@ -103,13 +107,13 @@ pub fn expire(ui: &Ui, offer: &mut Option<Offer>) {
     let left = *standing.until.get_or_insert(now + SECONDS) - now;
     if left > 0.0 {
         ui.ctx().request_repaint_after_secs(left as f32);
-    } else if !held {
+    } else if !held && !Popup::is_any_open(ui.ctx()) {
         *offer = None;
     }
 }
 
 /// Shows the offer with its answers.
-pub fn show(ui: &mut Ui, offer: &Offer, actions: &mut Actions) {
+pub fn show(ui: &mut Ui, offer: &Offer, model: &Model, actions: &mut Actions) {
     let (asked, answers, dismiss) = words(offer);
     let height = control_height(ui, ROW_HEIGHT);
     let button = |words| Button::new(tr(words)).min_size(vec2(40.0, height));
@@ -119,6 +123,9 @@ pub fn show(ui: &mut Ui, offer: &Offer, actions: &mut Actions) {
             if menu_entry(ui, true, button(label), tooltip, &action) {
                 actions.push(action);
             }
+        }
+        if let Offered::Read(ArrivedOutline { side, .. }) = offer.offered {
+            parts::menu_button(ui, side, model, actions);
         }
         if ui.add(button(dismiss)).clicked() {
             actions.push(Action::DismissOffer);
@@ -143,10 +150,15 @@ fn words(offer: &Offer) -> (String, Vec<Answer>, Label) {
         Offered::Tracing { .. } => {
             (tr(key::picture_texture()).to_owned(), vec![trace(key::trace_outline())], key::no())
         }
-        Offered::Projection(_) => {
-            let action = Action::Projection(ProjectionAction::Offered);
-            let answers = vec![(key::project_it(), key::project_it_tooltip(), action)];
-            (tr(key::looks_geographic()).to_owned(), answers, key::no())
+        Offered::Read(ArrivedOutline { geographic, of_several, .. }) => {
+            let project = || {
+                let action = Action::Projection(ProjectionAction::Offered);
+                (key::project_it(), key::project_it_tooltip(), action)
+            };
+            let several = of_several.map(|count| say(&key::file_has_parts(count)));
+            let map = geographic.as_ref().map(|_| tr(key::looks_geographic()).to_owned());
+            let asked: Vec<String> = several.into_iter().chain(map).collect();
+            (asked.join(" "), geographic.iter().map(|_| project()).collect(), key::no())
         }
     }
 }

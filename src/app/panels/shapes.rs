@@ -1,11 +1,13 @@
 //! The menu of preset outlines and surfaces with their pictures; below them drawing, pasting, tracing and opening.
 
+use super::parts;
+use super::shape_cell::{closed_line, columns, shape_cell};
 use crate::app::input::action::{Action, Actions, EditAction};
 use crate::app::input::locks::{guarded_by, menu_entry};
 use crate::app::language::words;
+use crate::app::theme::Palette;
 use crate::app::theme::text_metrics::scroll_beyond;
 use crate::app::theme::widgets::drop_down;
-use crate::app::theme::{PHONE_WIDTH, Palette, ROUNDING};
 use crate::app::viewport::surface::surface_picture;
 use crate::conformal::Side;
 use crate::language::{key, tr};
@@ -15,14 +17,9 @@ use crate::model::{Model, bounds};
 use crate::outline::Preset;
 use crate::session::{Command, Touched};
 use crate::surface::SurfacePreset;
-use egui::{
-    Align2, Color32, CornerRadius, Id, PopupCloseBehavior, Pos2, Rect, Response, RichText, Role, Sense, Shape, Stroke,
-    TextStyle, Ui, WidgetInfo, vec2,
-};
+use egui::{Id, PopupCloseBehavior, Pos2, Response, RichText, Stroke, Ui};
 use std::sync::Arc;
 
-const CELL: egui::Vec2 = vec2(100.0, 84.0);
-const COLUMNS: usize = 4;
 /// The height above and below the cells together, in points: two or three rows of buttons.
 const BESIDES: f32 = 260.0;
 /// The most vertices of an outline's picture: the turkey's feathers lose their tips with half as many.
@@ -41,11 +38,10 @@ fn name(shape: PresetShape) -> &'static str {
 }
 
 fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
-    let columns = if ui.ctx().content_rect().width() < PHONE_WIDTH { 3 } else { COLUMNS };
+    let columns = columns(ui);
     let current = model.requested_preset(side);
-    ui.set_width(columns as f32 * (CELL.x + 4.0));
-    ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
     let all = |ui: &mut Ui| {
+        parts::section(ui, side, model, columns, actions);
         cells(ui, &Preset::ALL.map(PresetShape::Outline), columns, side, current, actions);
         ui.separator();
         let palette = Palette::of(ui.visuals());
@@ -102,21 +98,8 @@ fn cells(
 
 fn cell(ui: &mut Ui, shown: PresetShape, selected: bool) -> Response {
     let palette = Palette::of(ui.visuals());
-    let (rect, response) = ui.allocate_exact_size(CELL, Sense::click());
-    let name = name(shown);
-    response.widget_info(|| WidgetInfo::selected(Role::Button, true, selected, name));
-    let (fill, ink) = match (selected, response.hovered() || response.has_focus()) {
-        (true, _) => (palette.accent, palette.on_accent),
-        (false, true) => (palette.control_hovered, palette.text),
-        (false, false) => (Color32::TRANSPARENT, palette.text),
-    };
-    ui.painter().rect_filled(rect, CornerRadius::same(ROUNDING), fill);
-    let frame = Rect::from_center_size(rect.center_top() + vec2(0.0, 34.0), vec2(50.0, 50.0));
-    match shown {
-        PresetShape::Outline(preset) => {
-            let points = picture(ui.ctx(), preset).iter().map(|p| frame.center() + 25.0 * p.to_vec2()).collect();
-            ui.painter().add(Shape::closed_line(points, Stroke::new(1.5, ink)));
-        }
+    shape_cell(ui, name(shown), selected, |ui, frame, ink| match shown {
+        PresetShape::Outline(preset) => closed_line(ui, picture(ui.ctx(), preset).iter().copied(), frame, ink),
         PresetShape::Surface(preset) => {
             let colours = match (ui.visuals().dark_mode, selected) {
                 (true, _) => [palette.raised, ink],
@@ -125,11 +108,7 @@ fn cell(ui: &mut Ui, shown: PresetShape, selected: bool) -> Response {
             };
             surface_picture(ui, preset, frame, colours);
         }
-    }
-    let weak = if selected { palette.on_accent } else { palette.weak };
-    let caption = rect.center_bottom() - vec2(0.0, 11.0);
-    ui.painter().text(caption, Align2::CENTER_CENTER, name, TextStyle::Small.resolve(ui.style()), weak);
-    response
+    })
 }
 
 /// The outline, thinned, in the square from −1 to 1, y down; computed once per context.

@@ -335,6 +335,10 @@ picture_opened = „{ $name }“ ist ein Foto oder eine Grafik.
 trace_silhouette = Silhouette nachzeichnen
 use_picture = Als Muster verwenden
 use_picture_tooltip = Beide Umrisse behalten und das Bild über den legen, dessen Muster abgebildet wird
+choose_part = Anderen wählen
+parts_of = In „{ $file }“:
+part_number = Nr. { $number }
+file_has_parts = Die Datei hat { $count } Teile; einer davon wird gezeigt.
 no = Nein
 
 ## other
@@ -1073,6 +1077,9 @@ scale_ratio = Maßstabsverhältnis
 stereographic_ratio = Stereografisch
 least_scale = Kleinster Maßstab bei
 looks_geographic = Diese Koordinaten könnten Längen und Breiten sein.
+feature = Merkmal
+all_features = Alle Merkmale
+repair_region_tooltip = Kleine Schleifen abschneiden, wo der Rand sich kreuzt oder berührt
 project_it = Als Landkarte zeigen
 project_it_tooltip = Öffnet die Karte dieser Datei, deren Maßstab am wenigsten schwankt
 scale_lines_legend = Linien gleichen Maßstabs; am Rand ist er 1.
@@ -1086,6 +1093,10 @@ projection_left_out = { $count ->
    *[other] Das größte Gebiet wurde genommen, { $percent } % der Fläche; { $count } andere Ränder blieben weg.
 }
 projection_joined = { $count } Ringe wurden an der Datumsgrenze verbunden.
+projection_mended = { $count ->
+    [one] Ein Punkt wurde abgeschnitten, wo der Rand sich kreuzte oder berührte.
+   *[other] { $count } Punkte wurden abgeschnitten, wo der Rand sich kreuzte oder berührte.
+}
 projection_holes = { $count ->
     [one] Ein Loch wurde gefüllt.
    *[other] { $count } Löcher wurden gefüllt.

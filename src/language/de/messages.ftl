@@ -136,6 +136,7 @@ outline_repaired = { $count ->
     [one] Ein wiederholter Punkt oder eine Spitze wurde abgeschnitten.
    *[other] { $count } Punkte von Schleifen und Spitzen wurden abgeschnitten.
 }
+outline_upwards = y zeigt nach oben: (x, y) der Zeichnung ist hier (x, −y).
 outline_holes_ignored = { $count ->
     [one] Ein Loch wurde weggelassen.
    *[other] { $count } Löcher wurden weggelassen.
@@ -358,7 +359,7 @@ item_triangle_corner = ein Eckpunkt von Dreieck { $triangle } von { $count }
 item_triangle_end = das Ende eines Dreiecks
 item_named_coordinate = die Koordinate { $name } einer Ecke
 unsupported_version = Version { $version } von glTF
-unsupported_separate_file = die getrennte Datei „{ $name }“ (daneben legen, .glb verwenden oder einbetten)
+unsupported_separate_file = die getrennte Datei „{ $name }“ (daneben legen oder beide ablegen, .glb verwenden oder einbetten)
 unsupported_extension = { $name } (zu entpacken mit: gltf-transform cp in.glb out.glb)
 unsupported_encoding = Inhalt, der nicht in Base 64 ist,
 unsupported_dimensions = eine Fläche in 4 oder n Dimensionen ({ $keyword })

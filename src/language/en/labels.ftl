@@ -335,6 +335,10 @@ picture_opened = "{ $name }" is a picture.
 trace_silhouette = Trace its silhouette
 use_picture = Use as pattern
 use_picture_tooltip = Keep both outlines and lay the picture over the one whose pattern is mapped
+choose_part = Choose another
+parts_of = In "{ $file }":
+part_number = no. { $number }
+file_has_parts = The file has { $count } parts; one of them is shown.
 no = No
 
 ## other
@@ -1073,6 +1077,9 @@ scale_ratio = Scale ratio
 stereographic_ratio = Stereographic
 least_scale = Least scale at
 looks_geographic = These coordinates may be longitudes and latitudes.
+feature = Feature
+all_features = All features
+repair_region_tooltip = Cut off small loops where the boundary crosses or touches itself
 project_it = Show as a map
 project_it_tooltip = Opens the map projection of this file whose scale varies least
 scale_lines_legend = Lines of equal scale; on the boundary it is 1.
@@ -1086,6 +1093,10 @@ projection_left_out = { $count ->
    *[other] The largest region was taken, { $percent } % of the area; { $count } other boundaries were left out.
 }
 projection_joined = { $count } rings were joined along the antimeridian.
+projection_mended = { $count ->
+    [one] A point was cut off where the boundary crossed or touched itself.
+   *[other] { $count } points were cut off where the boundary crossed or touched itself.
+}
 projection_holes = { $count ->
     [one] A hole was filled.
    *[other] { $count } holes were filled.

@@ -136,6 +136,7 @@ outline_repaired = { $count ->
     [one] A repeated point or spike was cut off.
    *[other] { $count } points of loops and spikes were cut off.
 }
+outline_upwards = y points up: (x, y) of the drawing is (x, −y) here.
 outline_holes_ignored = { $count ->
     [one] A hole was left out.
    *[other] { $count } holes were left out.
@@ -358,7 +359,7 @@ item_triangle_corner = a corner of triangle { $triangle } of { $count }
 item_triangle_end = the end of a triangle
 item_named_coordinate = the coordinate { $name } of a vertex
 unsupported_version = version { $version } of glTF
-unsupported_separate_file = the separate file "{ $name }" (put it beside this one, use .glb, or embed it)
+unsupported_separate_file = the separate file "{ $name }" (put it beside this one or drop both, use .glb, or embed it)
 unsupported_extension = { $name } (decode it: gltf-transform cp in.glb out.glb)
 unsupported_encoding = data that is not in base 64
 unsupported_dimensions = a surface in 4 or n dimensions ({ $keyword })

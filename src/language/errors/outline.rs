@@ -130,6 +130,7 @@ impl From<&OutlineNote> for Message {
             OutlineNote::ColumnsDropped { columns } => key::outline_columns_dropped(*columns),
             OutlineNote::LargestOf { rings } => key::outline_largest_of(*rings),
             OutlineNote::ClosingPointDropped => key::outline_closing_point_dropped().into(),
+            OutlineNote::Upwards => key::outline_upwards().into(),
             OutlineNote::HolesIgnored { holes } => key::outline_holes_ignored(*holes),
             OutlineNote::Repaired { dropped } => key::outline_repaired(*dropped),
             OutlineNote::Geographic => key::outline_geographic().into(),

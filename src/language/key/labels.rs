@@ -72,7 +72,7 @@ keys_of_labels! {
     picture_source, picture_target, x1_interior_point_source, x2_interior_point_target, y1_boundary_point_source,
     y2_boundary_point_target, probe,
     // offer
-    trace_picture_tooltip, picture_texture, trace_outline, trace_silhouette, use_picture, use_picture_tooltip, no,
+    trace_picture_tooltip, picture_texture, trace_outline, trace_silhouette, use_picture, use_picture_tooltip, choose_part, no,
     // other
     english, deutsch,
     // overlay
@@ -198,7 +198,7 @@ keys_of_labels! {
     // projections
     map_projection, map_projection_tooltip, projection, explain_projection, projection_begin, open_region,
     open_region_tooltip, show_island, show_island_tooltip, island, regions, scale_ratio, stereographic_ratio, least_scale,
-    looks_geographic, project_it, project_it_tooltip, scale_lines_legend, save_projection,
+    feature, all_features, repair_region_tooltip, looks_geographic, project_it, project_it_tooltip, scale_lines_legend, save_projection,
 }
 
 keys_of_messages! {
@@ -214,7 +214,7 @@ keys_of_messages! {
     // page
     stopped(reason);
     // panel
-    picture_opened(name);
+    picture_opened(name); parts_of(file); part_number(number); file_has_parts(count);
     faults_in_red(marked, unmarked); loop_in_list(number, length, vertices); loop_in_picture(number, count);
     along_boundary(count); rays(count); cells_across(count); points_collapsed(collapsed, samples);
     this_map_had(count); out_order(count); all_points_kept_apart(count); largest_difference(share);
@@ -265,5 +265,5 @@ keys_of_messages! {
     // projections
     ratio_at_most(value, error); place_in_degrees(longitude, latitude); graticule_steps(longitude, latitude);
     accessible_projection(name, ratio, stereographic); projection_left_out(percent, count); projection_joined(count);
-    projection_holes(count); projection_overlaps(longitude, latitude); projecting(name); save_projection_as(format);
+    projection_mended(count); projection_holes(count); projection_overlaps(longitude, latitude); projecting(name); save_projection_as(format);
 }

@@ -13,7 +13,8 @@ keys_of_labels! {
     // geometry
     polygon_zero_area,
     // outline
-    outline_file_empty, outline_file_no_path, outline_reversed, outline_closing_point_dropped, type_not_given,
+    outline_file_empty, outline_file_no_path, outline_reversed, outline_closing_point_dropped, outline_upwards,
+    type_not_given,
     json_null, json_truth_value, json_number, json_text, json_list, json_object, object_without_points,
     geojson_no_type, svg_elements_nested, svg_uses_nested,
     // drawing

@@ -74,9 +74,33 @@ fn one_request_reads_an_outline_and_prepares_it() {
     assert!(model.is_preparing(SIDE) && model.awaits_file() && model.next_due() == Some(f64::NEG_INFINITY));
     let request = only_request(&mut model);
     assert!(matches!(request.task, Task::OutlineFile { .. }) && model.next_due().is_none());
-    assert!(matches!(answer(&mut model, SIDE, &request), Some(Arrived::Outline(Origin::OutlineFile, None))));
+    assert!(matches!(
+        answer(&mut model, SIDE, &request),
+        Some(Arrived::Outline(ArrivedOutline { origin: Origin::OutlineFile, geographic: None, of_several: None, .. }))
+    ));
     assert!(model.take_requests(f64::INFINITY).is_empty() && !model.is_preparing(SIDE));
     assert_eq!((name(&model), model.notes(SIDE).count()), ("a", 1), "it was clockwise");
+}
+
+#[test]
+fn another_shape_of_a_file_is_taken_while_its_outline_is_shown() {
+    let mut model = planar();
+    let paths = ["M0 0h4v4h-4z", "M9 0h2v1z"].map(|d| format!("<path id=\"{}\" d=\"{d}\"/>", &d[1..2]));
+    let drawing = format!("<svg xmlns=\"http://www.w3.org/2000/svg\">{}</svg>", paths.concat());
+    model.open_outline(SIDE, "a.svg", drawing.into_bytes());
+    let Some(Arrived::Outline(arrived)) = settle(&mut model) else { panic!("an outline") };
+    assert_eq!((arrived.side, arrived.of_several), (SIDE, Some(2)));
+    let taken = |model: &Model| model.parts(SIDE).map(|(file, parts)| (file.to_owned(), parts.taken));
+    assert_eq!((name(&model), taken(&model)), ("0", Some(("a.svg".into(), 1))));
+    assert_eq!(taken(&model).is_some(), model.parts(Side::Source).is_none());
+    model.open_part(SIDE, 2);
+    settle(&mut model);
+    assert_eq!((name(&model), taken(&model)), ("9", Some(("a.svg".into(), 2))));
+    model.dispatch(Command::SetOutline { side: SIDE, outline: OutlineSpec::Preset(Preset::Disk) }, 0.0);
+    settle(&mut model);
+    assert_eq!(taken(&model), None);
+    model.open_part(SIDE, 1);
+    assert!(!model.awaits_file());
 }
 
 #[test]
@@ -166,7 +190,10 @@ fn an_invalid_pasted_text_is_reported_on_its_side() {
     assert!(matches!(settle(&mut model), Some(Arrived::NoOutline(SIDE, _))));
     assert!(model.side(SIDE).error.is_none() && !model.reads_pasted(SIDE));
     model.open_pasted(SIDE, "M 0 0 h 4 v 1 z");
-    assert!(matches!(settle(&mut model), Some(Arrived::Outline(Origin::PastedText, None))));
+    assert!(matches!(
+        settle(&mut model),
+        Some(Arrived::Outline(ArrivedOutline { origin: Origin::PastedText, geographic: None, of_several: None, .. }))
+    ));
     assert_eq!(name(&model), names::PASTED);
 }
 

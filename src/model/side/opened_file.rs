@@ -28,6 +28,8 @@ pub struct OpenedFile {
     pub origin: Origin,
     /// Its name and content.
     pub file: NamedFile,
+    /// The number of the shape or the feature of an outline's file that is meant; the largest if there is none.
+    pub part: Option<usize>,
 }
 
 impl OpenedFile {
@@ -49,7 +51,7 @@ impl OpenedFile {
     fn task(&self, settings: PrepareSettings) -> Task {
         let file = self.file.clone();
         match self.origin {
-            Origin::OutlineFile | Origin::PastedText => Task::OutlineFile { file, settings },
+            Origin::OutlineFile | Origin::PastedText => Task::OutlineFile { file, part: self.part, settings },
             Origin::SessionFile => Task::SessionFile(file),
         }
     }

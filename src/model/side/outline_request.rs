@@ -60,7 +60,8 @@ impl Requested for OutlineRequest {
     }
 
     fn notes(&self) -> Vec<Message> {
-        self.notes.iter().map(Message::from).collect()
+        // beside a picture nobody asks where y points
+        self.notes.iter().filter(|note| **note != OutlineNote::Upwards).map(Message::from).collect()
     }
 
     /// The reshaping is finished unless the drag continues.

@@ -3,6 +3,7 @@
 
 use crate::conformal::{PerSide, Stage};
 use crate::geometry::DVec2;
+use crate::model::opening::OpenedParts;
 use crate::model::side::opened_file::Reading;
 use crate::model::side::outline_request::OutlineRequest;
 use crate::model::side::preparation::Preparation;
@@ -65,6 +66,8 @@ pub struct ModelSide {
     generations: Generations,
     /// The opened file that the worker parses.
     pub reading: Reading,
+    /// What else the file of the outline holds.
+    pub(in crate::model) parts: Option<OpenedParts>,
     /// The outline's preparation.
     pub outline: Preparation<OutlineRequest>,
     /// The integral equation of the prepared outline.
@@ -90,6 +93,7 @@ impl ModelSide {
             generations: Generations::default(),
             reading: Reading::default(),
             outline: Preparation::new(state.domain().clone()),
+            parts: None,
             sharpening: Sharpening::default(),
             mesh: PendingRequest::default(),
             surface: SurfaceSide::default(),
@@ -134,6 +138,7 @@ impl ModelSide {
             generations: Generations::default(),
             reading: Reading::default(),
             outline: self.outline.twin(),
+            parts: None,
             sharpening: Sharpening::none(),
             mesh: PendingRequest::default(),
             surface: self.surface.twin(),

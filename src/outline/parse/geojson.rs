@@ -7,8 +7,8 @@
 use serde_json::Value;
 
 use super::json::position;
-use super::ring::{Ring, largest};
-use super::{GeoJsonFault, JsonKind, OutlineError, OutlineNote, part, repair};
+use super::ring::{Ring, area, largest};
+use super::{GeoJsonFault, JsonKind, OutlineError, OutlineNote, Part, PartChoice, Parts, part, repair};
 use crate::geometry::DVec2;
 
 /// The largest longitude, of regions beyond the antimeridian, and latitude, in degrees.
@@ -42,11 +42,26 @@ impl<'a> Collected<'a> {
     }
 
     /// The rings of the feature with the name or number `wanted`, or all.
-    fn rings_of(&self, wanted: Option<&str>) -> Result<Vec<usize>, OutlineError> {
+    fn rings_of(&self, wanted: Option<PartChoice>) -> Result<Vec<usize>, OutlineError> {
         let feature = wanted.map(|wanted| part::find(wanted, &self.names)).transpose()?;
         let is_wanted = |ring: &usize| feature.is_none_or(|feature| self.features[*ring] == feature);
         let rings: Vec<usize> = (0..self.outer_rings.len()).filter(is_wanted).collect();
         if rings.is_empty() { Err(OutlineError::NoPolygon { kind: Some("Feature".to_owned()) }) } else { Ok(rings) }
+    }
+
+    /// The features, each with the picture of its largest ring, of which that around `ring` is read.
+    fn parts(&self, ring: usize) -> Option<Parts> {
+        let mut largest: Vec<Option<(usize, f64)>> = vec![None; self.names.len()];
+        for (k, feature) in self.features.iter().enumerate() {
+            let area = area(&self.outer_rings[k]);
+            if largest[*feature].is_none_or(|(_, most)| area > most) {
+                largest[*feature] = Some((k, area));
+            }
+        }
+        let areas: Vec<f64> = largest.iter().map(|found| found.map_or(0.0, |(_, area)| area)).collect();
+        Parts::of(&areas, self.features[ring] + 1, |k| {
+            largest[k].map(|(ring, _)| Part::new(k + 1, self.names[k], &self.outer_rings[ring]))
+        })
     }
 }
 
@@ -56,6 +71,8 @@ impl<'a> Collected<'a> {
 pub struct GeoRing {
     /// The `properties.name` of the feature around it.
     pub name: Option<String>,
+    /// The number of that feature, counted from 1.
+    pub feature: usize,
     /// Longitude and latitude as in the file, without the last point, which repeats the first.
     pub points: Vec<DVec2>,
     /// The number of holes of its polygon.
@@ -67,7 +84,7 @@ pub struct GeoRing {
 impl GeoRing {
     /// A ring without a name and holes.
     pub fn new(points: Vec<DVec2>) -> Self {
-        Self { name: None, points, holes: 0, cut: None }
+        Self { name: None, feature: 1, points, holes: 0, cut: None }
     }
 
     /// Mends the ring where it crosses or touches itself. A ring around a pole stays as it is.
@@ -101,7 +118,7 @@ impl GeoRing {
 }
 
 /// The outer rings of all polygons, or of those of one feature, in the file's order; at least one.
-pub(super) fn rings(value: &Value, part: Option<&str>) -> Result<Vec<GeoRing>, OutlineError> {
+pub(super) fn rings(value: &Value, part: Option<PartChoice>) -> Result<Vec<GeoRing>, OutlineError> {
     if let Some(crs) = projected_crs(value) {
         return Err(OutlineError::ReferenceSystem { name: crs });
     }
@@ -109,18 +126,20 @@ pub(super) fn rings(value: &Value, part: Option<&str>) -> Result<Vec<GeoRing>, O
     let rings = found.rings_of(part)?;
     let ring = |k: usize| {
         let name = found.name(k).map(str::to_owned);
-        GeoRing { name, points: std::mem::take(&mut found.outer_rings[k]), holes: found.holes[k], cut: None }
+        let points = std::mem::take(&mut found.outer_rings[k]);
+        GeoRing { name, feature: found.features[k] + 1, points, holes: found.holes[k], cut: None }
     };
     Ok(rings.into_iter().map(ring).collect())
 }
 
-pub(super) fn read(value: &Value, part: Option<&str>) -> Result<Ring, OutlineError> {
+pub(super) fn read(value: &Value, part: Option<PartChoice>) -> Result<Ring, OutlineError> {
     let mut found = Collected::of(value)?;
     let rings = found.rings_of(part)?;
-    let chains: Vec<Vec<DVec2>> = rings.iter().map(|&k| std::mem::take(&mut found.outer_rings[k])).collect();
     let none = || OutlineError::NoPolygon { kind: text(value, "type").map(str::to_owned) };
-    let index = rings[largest(&chains).ok_or_else(none)?];
-    let mut ring = Ring::largest_of(chains).ok_or_else(none)?;
+    let index = rings[largest(rings.iter().map(|&k| &found.outer_rings[k])).ok_or_else(none)?];
+    let parts = found.parts(index);
+    let chains: Vec<Vec<DVec2>> = rings.iter().map(|&k| std::mem::take(&mut found.outer_rings[k])).collect();
+    let mut ring = Ring { parts, ..Ring::largest_of(chains).ok_or_else(none)? };
     if found.holes[index] > 0 {
         ring.notes.push(OutlineNote::HolesIgnored { holes: found.holes[index] });
     }

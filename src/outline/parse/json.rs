@@ -4,11 +4,11 @@
 use serde_json::Value;
 
 use super::ring::Ring;
-use super::{JsonFault, JsonKind, OutlineError, PointFault, geojson, part};
+use super::{JsonFault, JsonKind, OutlineError, PartChoice, PointFault, geojson, part};
 use crate::geometry::DVec2;
 
 /// Reads a list of points, or of `GeoJSON` the feature with the name or number `wanted`, or its largest ring.
-pub(super) fn read(text: &str, wanted: Option<&str>) -> Result<Ring, OutlineError> {
+pub(super) fn read(text: &str, wanted: Option<PartChoice>) -> Result<Ring, OutlineError> {
     let value: Value = serde_json::from_str(text).map_err(|e| syntax_error(&e))?;
     if let Value::Object(object) = &value
         && !object.contains_key("points")
@@ -47,7 +47,7 @@ fn from_coordinates(x: &[Value], y: &[Value]) -> Result<Vec<DVec2>, OutlineError
 }
 
 /// The outer rings of a `GeoJSON` text, or of one feature.
-pub(super) fn read_geo_rings(text: &str, part: Option<&str>) -> Result<Vec<geojson::GeoRing>, OutlineError> {
+pub(super) fn read_geo_rings(text: &str, part: Option<PartChoice>) -> Result<Vec<geojson::GeoRing>, OutlineError> {
     let value: Value = serde_json::from_str(text).map_err(|e| syntax_error(&e))?;
     geojson::rings(&value, part)
 }

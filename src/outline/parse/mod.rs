@@ -26,6 +26,7 @@ use crate::utf16::decoded;
 pub use error::OutlineError;
 pub use fault::{GeoJsonFault, JsonFault, JsonKind, PointFault, SvgFault};
 pub use geojson::GeoRing;
+pub use part::{Part, PartChoice, Parts};
 use ring::Ring;
 use std::borrow::Cow;
 
@@ -53,7 +54,20 @@ pub struct Reading<'a> {
     pub repair: bool,
     /// The shape of an SVG file or the feature of a `GeoJSON` file, by its name or its number from 1; by default the
     /// largest.
-    pub part: Option<&'a str>,
+    pub part: Option<PartChoice<'a>>,
+}
+
+/// What a file gives.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Contents {
+    /// The outline that was read.
+    pub outline: Outline,
+    /// The points of the file in its order: those of a list, or where the segments of a path begin. A point that repeats
+    /// another one is among them, but not a last one that repeats the first.
+    pub vertices: Vec<DVec2>,
+    /// What else could have been read, if there is more than the outline.
+    pub parts: Option<Parts>,
 }
 
 /// Reads an outline from a file's name and bytes, as [`parse_as`] without repairs.
@@ -77,20 +91,16 @@ pub fn parse(file_name: &str, bytes: &[u8]) -> Result<Outline, OutlineError> {
 /// Repeated points are dropped, and a last point equal to the first up to rounding is. Files may have up to
 /// [`MAX_BYTES`], and outlines up to 200,000 points.
 pub fn parse_as(file_name: &str, bytes: &[u8], how: &Reading) -> Result<Outline, OutlineError> {
-    outline(mended(read(bytes, how.part)?, how), stem(file_name))
+    parse_contents(file_name, bytes, how).map(|contents| contents.outline)
 }
 
-/// As [`parse_as`], with the points of the file in its order: those of a list, or where the segments of a path begin. A
-/// point that repeats another one is among them, but not a last one that repeats the first.
-pub fn parse_with_vertices(
-    file_name: &str,
-    bytes: &[u8],
-    how: &Reading,
-) -> Result<(Outline, Vec<DVec2>), OutlineError> {
-    let ring = read(bytes, how.part)?;
+/// As [`parse_as`], with what the file holds besides.
+pub fn parse_contents(file_name: &str, bytes: &[u8], how: &Reading) -> Result<Contents, OutlineError> {
+    let mut ring = read(bytes, how.part)?;
+    let parts = ring.parts.take();
     let vertices =
         if ring.segments.is_empty() { ring.points.clone() } else { ring.segments.iter().map(Segment::start).collect() };
-    Ok((outline(mended(ring, how), stem(file_name))?, vertices))
+    Ok(Contents { outline: outline(mended(ring, how), stem(file_name))?, vertices, parts })
 }
 
 fn mended(mut ring: Ring, how: &Reading) -> Ring {
@@ -139,7 +149,7 @@ fn text(bytes: &[u8]) -> Result<Cow<'_, str>, OutlineError> {
     if text.trim().is_empty() { Err(OutlineError::Empty) } else { Ok(text) }
 }
 
-fn read(bytes: &[u8], part: Option<&str>) -> Result<Ring, OutlineError> {
+fn read(bytes: &[u8], part: Option<PartChoice>) -> Result<Ring, OutlineError> {
     let text = text(bytes)?;
     let text = text.as_ref();
     let format = format_of(text);
@@ -155,7 +165,7 @@ fn read(bytes: &[u8], part: Option<&str>) -> Result<Ring, OutlineError> {
 }
 
 fn outline(ring: Ring, stem: &str) -> Result<Outline, OutlineError> {
-    let Ring { name, points, mut notes, mut segments } = ring;
+    let Ring { name, points, mut notes, mut segments, .. } = ring;
     let mut polygon = SimplePolygon::try_from(points)?;
     if polygon.was_clockwise() {
         notes.push(OutlineNote::Reversed);

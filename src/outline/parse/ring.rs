@@ -1,7 +1,7 @@
 //! A closed chain of points, before it is checked.
 
 use super::super::Segment;
-use super::OutlineNote;
+use super::{OutlineNote, Parts};
 use crate::geometry::{Bounds, DVec2};
 
 /// First and last points that differ by less, in sizes of the chain, are one: sin(2π) is not 0.
@@ -16,6 +16,8 @@ pub(super) struct Ring {
     pub notes: Vec<OutlineNote>,
     /// The path on which the points lie, if the format has one.
     pub segments: Vec<Segment>,
+    /// What else the file holds.
+    pub parts: Option<Parts>,
 }
 
 impl Ring {
@@ -56,8 +58,8 @@ impl Ring {
 }
 
 /// The index of the chain of largest area, the first among equals.
-pub(super) fn largest(candidates: &[Vec<DVec2>]) -> Option<usize> {
-    let areas: Vec<f64> = candidates.iter().map(|c| area(c)).collect();
+pub(super) fn largest<'a>(candidates: impl IntoIterator<Item = &'a Vec<DVec2>>) -> Option<usize> {
+    let areas: Vec<f64> = candidates.into_iter().map(|c| area(c)).collect();
     (0..areas.len()).rev().max_by(|&i, &j| areas[i].total_cmp(&areas[j]))
 }
 

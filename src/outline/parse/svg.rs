@@ -16,7 +16,7 @@ use usvg::{ImageHrefResolver, Options, Tree};
 use super::ring::Ring;
 use super::svg_path::{Subpath, with_common_tangents};
 use super::svg_shapes::{self, Page, Shape};
-use super::{OutlineError, OutlineNote, SvgFault, part, svg_exact};
+use super::{OutlineError, OutlineNote, PartChoice, SvgFault, part, svg_exact};
 use crate::outline::flattened;
 
 /// The largest nesting depth of elements; drawings have about 10.
@@ -28,7 +28,7 @@ const MAX_USE_CHAIN: usize = 4;
 const MAX_NODES: u32 = 1_000_000;
 
 /// Reads the shape with the id or the number `wanted`, or the largest one.
-pub(super) fn read(text: &str, wanted: Option<&str>) -> Result<Ring, OutlineError> {
+pub(super) fn read(text: &str, wanted: Option<PartChoice>) -> Result<Ring, OutlineError> {
     // The replacements have the same length, so that positions in messages stay correct.
     let text = text.replace("url(", "off(");
     let text = without_size(&parsed(&text)?).unwrap_or(text);
@@ -41,17 +41,19 @@ pub(super) fn read(text: &str, wanted: Option<&str>) -> Result<Ring, OutlineErro
     let page = Page::of(&document);
     let shapes = svg_shapes::shapes(&tree, page.as_ref());
     let names: Vec<Option<&str>> = shapes.iter().map(Shape::name).collect();
+    let called = |wanted| match wanted {
+        PartChoice::Called(called) => svg_shapes::largest(&shapes, |shape| shape.name() == Some(called)),
+        PartChoice::Number(_) => None,
+    };
     let index = match wanted {
-        Some(wanted) => match svg_shapes::largest(&shapes, |shape| shape.name() == Some(wanted)) {
-            Some(index) => index,
-            None => part::find(wanted, &names)?,
-        },
+        Some(wanted) => called(wanted).map_or_else(|| part::find(wanted, &names), Ok)?,
         None => svg_shapes::largest(&shapes, |_| true).ok_or_else(|| match svg_shapes::path_count(&tree) {
             0 => OutlineError::NoPath,
             paths => OutlineError::NoClosedPath { paths },
         })?,
     };
-    Ok(ring(&document, &shapes[index], page.as_ref(), shapes[index].notes(index + 1, shapes.len())))
+    let ring = ring(&document, &shapes[index], page.as_ref(), shapes[index].notes(index + 1, shapes.len()));
+    Ok(Ring { parts: svg_shapes::parts(&shapes, index, page.as_ref()), ..ring })
 }
 
 /// Reads the content of a path's `d` attribute. It holds no quotes or brackets.
@@ -89,7 +91,7 @@ fn ring(document: &Document, shape: &Shape, page: Option<&Page>, notes: Vec<Outl
         .filter(|(subpaths, _)| subpaths.len() == rounded.len())
         .unwrap_or((rounded, placement));
     let segments = with_common_tangents(subpaths[shape.subpath].placed(placement));
-    Ring { name: shape.name().map(str::to_owned), points: flattened(&segments), notes, segments }
+    Ring { name: shape.name().map(str::to_owned), points: flattened(&segments), notes, segments, parts: None }
 }
 
 /// Checks the nesting depth of the document and of the references in it.

@@ -12,9 +12,9 @@ use svgtypes::ViewBox;
 use usvg::roxmltree::Document;
 use usvg::{FillRule, Group, Node, Path, Tree};
 
-use super::OutlineNote;
 use super::ring::{edges, signed_area};
 use super::svg_path::Subpath;
+use super::{OutlineNote, Part, Parts};
 use crate::geometry::{Bounds, DVec2};
 use crate::outline::flattened;
 use crate::outline::overlaps::for_each_overlap;
@@ -43,7 +43,7 @@ impl Shape<'_> {
         let of_several =
             (count > 1).then(|| OutlineNote::ShapeTaken { number, count, name: self.name().map(str::to_owned) });
         let holes = (self.holes > 0).then_some(OutlineNote::HolesIgnored { holes: self.holes });
-        of_several.into_iter().chain(holes).collect()
+        of_several.into_iter().chain(holes).chain([OutlineNote::Upwards]).collect()
     }
 }
 
@@ -93,6 +93,26 @@ pub(super) fn largest(shapes: &[Shape], is_meant: impl Fn(&Shape) -> bool) -> Op
     meant.max_by(|&i, &j| shapes[i].area.total_cmp(&shapes[j].area))
 }
 
+/// All shapes with their pictures, of which that of index `taken` is read.
+pub(super) fn parts(shapes: &[Shape], taken: usize, page: Option<&Page>) -> Option<Parts> {
+    let areas: Vec<f64> = shapes.iter().map(|shape| shape.area).collect();
+    // the shapes of one path stand together
+    let mut last: Option<(&Path, Vec<Vec<DVec2>>)> = None;
+    Parts::of(&areas, taken + 1, |k| {
+        let shape = &shapes[k];
+        if last.as_ref().is_none_or(|(path, _)| !std::ptr::eq(*path, shape.path)) {
+            last = Some((shape.path, chains_of(shape.path, page)));
+        }
+        let (_, chains) = last.as_ref()?;
+        Some(Part::new(k + 1, shape.name(), &chains[shape.subpath]))
+    })
+}
+
+fn chains_of(path: &Path, page: Option<&Page>) -> Vec<Vec<DVec2>> {
+    let placement = placement(path, page);
+    Subpath::of(path.data()).iter().map(|subpath| flattened(&subpath.placed(placement))).collect()
+}
+
 /// The number of paths of the drawing, painted or not.
 pub(super) fn path_count(tree: &Tree) -> usize {
     paths(tree.root()).len()
@@ -132,9 +152,9 @@ fn shapes_of<'a>(path: &'a Path, page: Option<&Page>) -> Vec<Shape<'a>> {
         let width = path.stroke().map_or(0.0, |stroke| f64::from(stroke.width().get()));
         let scale = placement.matrix2.determinant().abs().sqrt();
         let closed = (0..chains.len()).filter(|&k| subpaths[k].is_closed() && signed_area(&chains[k]) != 0.0);
-        closed.map(|subpath| Part { subpath, area: width * scale * perimeter(&chains[subpath]), holes: 0 }).collect()
+        closed.map(|subpath| Region { subpath, area: width * scale * perimeter(&chains[subpath]), holes: 0 }).collect()
     };
-    let shape = |Part { subpath, area, holes }| {
+    let shape = |Region { subpath, area, holes }| {
         let is_background = page.is_some_and(|page| covers(&chains[subpath], page));
         Shape { path, subpath, area, holes, is_background }
     };
@@ -148,14 +168,14 @@ pub(super) fn placement(path: &Path, page: Option<&Page>) -> DAffine2 {
     DAffine2::from_translation(page.map_or(DVec2::ZERO, |page| page.low)) * placed
 }
 
-struct Part {
+struct Region {
     subpath: usize,
     area: f64,
     holes: usize,
 }
 
 /// The subpaths that bound the filled part from outside, with its area; those without area bound nothing.
-fn filled(chains: &[Vec<DVec2>], rule: FillRule) -> Vec<Part> {
+fn filled(chains: &[Vec<DVec2>], rule: FillRule) -> Vec<Region> {
     let boxes: Vec<Bounds> = chains.iter().map(|chain| Bounds::of(chain.iter().copied())).collect();
     let areas: Vec<f64> = chains.iter().map(|chain| signed_area(chain)).collect();
     let mut outside = vec![0; chains.len()];
@@ -182,8 +202,8 @@ fn filled(chains: &[Vec<DVec2>], rule: FillRule) -> Vec<Part> {
     };
     let sides = |k: usize| [outside[k], outside[k] + areas[k].signum() as i32].map(is_filled);
     let with_area = || (0..chains.len()).filter(|&k| areas[k] != 0.0);
-    let mut parts: Vec<Part> = (with_area().filter(|&k| sides(k) == [false, true]))
-        .map(|subpath| Part { subpath, area: areas[subpath].abs(), holes: 0 })
+    let mut parts: Vec<Region> = (with_area().filter(|&k| sides(k) == [false, true]))
+        .map(|subpath| Region { subpath, area: areas[subpath].abs(), holes: 0 })
         .collect();
     for hole in with_area().filter(|&k| sides(k) == [true, false]) {
         let container = parts.iter_mut().filter(|part| around[hole].contains(&part.subpath));

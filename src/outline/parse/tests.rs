@@ -285,7 +285,8 @@ fn the_shape_of_the_largest_painted_area_is_taken_and_another_on_request() {
     assert_eq!((outline.polygon.area(), outline.name()), (1200.0, "open"));
     let taken = OutlineNote::ShapeTaken { number: 2, count: 4, name: Some("open".into()) };
     assert_eq!(outline.notes, [taken, OutlineNote::Reversed]);
-    let part = |part| parse_as("x.svg", text.as_bytes(), &Reading { repair: false, part: Some(part) });
+    let part =
+        |part| parse_as("x.svg", text.as_bytes(), &Reading { repair: false, part: Some(PartChoice::Called(part)) });
     assert_eq!(part("4").unwrap().polygon.area(), 180.0);
     let frame = part("frame").unwrap();
     assert_eq!(frame.polygon.area(), 98.0 * 98.0);
@@ -297,8 +298,17 @@ fn the_shape_of_the_largest_painted_area_is_taken_and_another_on_request() {
     let twice = svg(r#"<path d="M0 5L5 0L10 5L5 10z M0 5L5 0L10 5L5 10z"/>"#);
     assert_eq!(read("x.svg", &twice).unwrap().polygon.area(), 50.0);
     let body = svg(r#"<path id="body" d="M0 0h1v1h-1z M10 10h50v50h-50z"/><path d="M0 0h60v60h-60z"/>"#);
-    let body = parse_as("x.svg", body.as_bytes(), &Reading { repair: false, part: Some("body") }).unwrap();
+    let body =
+        parse_as("x.svg", body.as_bytes(), &Reading { repair: false, part: Some(PartChoice::Called("body")) }).unwrap();
     assert_eq!(body.polygon.area(), 2500.0);
+    let parts = parse_contents("x.svg", text.as_bytes(), &Reading::default()).unwrap().parts.unwrap();
+    let named: Vec<_> = parts.all.iter().map(|part| (part.number, part.name.as_deref())).collect();
+    assert_eq!(named, [(1, Some("frame")), (2, Some("open")), (3, None), (4, None)]);
+    assert_eq!((parts.taken, parts.count), (2, 4));
+    // a triangle in the square from −1 to 1, y upwards: its right angle was below
+    assert_eq!(parts.all[2].picture, [[-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]]);
+    let single = parse_contents("x.svg", svg(r#"<path d="M0 0h1v1z"/>"#).as_bytes(), &Reading::default());
+    assert_eq!(single.unwrap().parts, None);
     let back_at_start = read("x.svg", &svg(r#"<path d="M0 0 L4 0 L0 -3 L0 0"/>"#)).unwrap();
     assert_eq!(vertices(&back_at_start), TRIANGLE);
 }
@@ -404,10 +414,13 @@ fn features_are_chosen_and_metres_are_no_degrees() {
         (outline.polygon.area(), outline.name().to_owned())
     };
     assert_eq!(
-        [area(None), area(Some("a")), area(Some("2"))],
+        [area(None), area(Some(PartChoice::Called("a"))), area(Some(PartChoice::Number(2)))],
         [(8.0, "b".into()), (2.0, "a".into()), (8.0, "b".into())]
     );
-    let how = Reading { repair: false, part: Some("b") };
+    let parts = parse_contents("x.json", world("").as_bytes(), &Reading::default()).unwrap().parts.unwrap();
+    let named: Vec<_> = parts.all.iter().map(|part| (part.number, part.name.as_deref())).collect();
+    assert_eq!((parts.taken, named), (2, vec![(1, Some("a")), (2, Some("b"))]));
+    let how = Reading { repair: false, part: Some(PartChoice::Called("b")) };
     assert_eq!(parse_geo_rings(world("").as_bytes(), &how).unwrap().len(), 1);
     let named = |name: &str| {
         let crs = format!(r#","crs":{{"type":"name","properties":{{"name":"{name}"}}}}"#);

@@ -3,7 +3,7 @@
 use super::page;
 use crate::conformal::Side;
 use crate::language::{Message, key};
-use crate::model::files::{FilePurpose, endings};
+use crate::model::files::{FilePurpose, endings, gathered};
 use crate::platform::{Event, Mailbox};
 use js_sys::{Array, Promise, Uint8Array};
 use std::cell::Cell;
@@ -88,12 +88,17 @@ fn download(name: &str, bytes: &[u8]) -> Result<(), Message> {
     Ok(Url::revoke_object_url(&address)?)
 }
 
-/// Reads a dropped file and passes it to the app.
-pub fn read_dropped(file: egui::DroppedFileHandle, side: Side, mailbox: Mailbox) {
+/// Reads files that were dropped together and passes them to the app.
+pub fn read_dropped(files: Vec<egui::DroppedFileHandle>, side: Side, mailbox: Mailbox) {
     wasm_bindgen_futures::spawn_local(async move {
-        let name = file.path().to_string_lossy().into_owned();
-        let bytes = file.bytes_async().await;
-        page::hand_over(FilePurpose::Dropped(side), name, bytes, &mailbox);
+        let mut read = Vec::with_capacity(files.len());
+        for file in files {
+            let name = file.path().to_string_lossy().into_owned();
+            read.push((name, file.bytes_async().await));
+        }
+        for (name, bytes) in gathered(read) {
+            page::hand_over(FilePurpose::Dropped(side), name, bytes, &mailbox);
+        }
     });
 }
 

@@ -44,8 +44,9 @@ pub fn encode_request(request: &Request) -> (JsValue, Array) {
             (EQUATION, fields)
         }
         Task::Mesh { resampled, settings } => (MESH, encode_resampled(resampled, settings, &transfer)),
-        Task::OutlineFile { file, settings } => {
-            (OUTLINE_FILE, vec![("file", encode_file(file, &transfer)), ("settings", json(settings))])
+        Task::OutlineFile { file, part, settings } => {
+            let file = ("file", encode_file(file, &transfer));
+            (OUTLINE_FILE, vec![file, ("part", json(part)), ("settings", json(settings))])
         }
         Task::SessionFile(file) => (SESSION_FILE, vec![("file", encode_file(file, &transfer))]),
         Task::Surface { source, repair, outline_loop, settings } => {
@@ -115,7 +116,11 @@ pub fn decode_request(message: &JsValue) -> Option<Request> {
             point: parsed(message, "point")?,
         },
         MESH => Task::Mesh { resampled: decode_resampled(message)?, settings: parsed(message, "settings")? },
-        OUTLINE_FILE => Task::OutlineFile { file: decode_file(message)?, settings: parsed(message, "settings")? },
+        OUTLINE_FILE => Task::OutlineFile {
+            file: decode_file(message)?,
+            part: parsed(message, "part")?,
+            settings: parsed(message, "settings")?,
+        },
         SESSION_FILE => Task::SessionFile(decode_file(message)?),
         SURFACE => Task::Surface {
             source: decode_source(message)?,
@@ -149,8 +154,9 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
     let message = match response {
         Response::Progress(stage) => object(&[number, ("stage", json(&stage))]),
         Response::Failed(failure) => object(&[number, ("failed", json(&failure))]),
-        Response::Outline(outline) => {
-            object(&[number, ("outline", encode_outline(&FlatOutline::from(&*outline), &transfer))])
+        Response::Outline(outline, parts) => {
+            let outline = encode_outline(&FlatOutline::from(&*outline), &transfer);
+            object(&[number, ("outline", outline), ("parts", bytes(&parts))])
         }
         Response::Taken(taken) => object(&[number, ("taken", json(&taken))]),
         Response::Session(session) => object(&[number, ("session", encode_session(*session, &transfer))]),
@@ -308,7 +314,7 @@ pub fn decode_response(message: &JsValue) -> Option<(u64, Response)> {
     } else if let Some(failure) = parsed(message, "failed") {
         Response::Failed(failure)
     } else if let Some(outline) = get(message, "outline") {
-        Response::Outline(Box::new(decode_outline(&outline)?.outline()?))
+        Response::Outline(Box::new(decode_outline(&outline)?.outline()?), taken(message, "parts")?)
     } else if let Some(taken) = parsed(message, "taken") {
         Response::Taken(taken)
     } else if let Some(session) = get(message, "session") {

@@ -160,7 +160,7 @@ fn loaded(uri: &str, place: Place, neighbor: &mut Neighbor) -> Result<Vec<u8>, S
 }
 
 /// The name in a URI, its `%` escapes decoded (RFC 3986, section 2.1).
-fn unescaped(uri: &str) -> String {
+pub(super) fn unescaped(uri: &str) -> String {
     let bytes = uri.as_bytes();
     let mut name = Vec::with_capacity(bytes.len());
     let mut k = 0;
@@ -186,7 +186,7 @@ fn is_neighbor(name: &str) -> bool {
 }
 
 /// Base 64 (RFC 4648, section 4), taken with or without padding.
-const BASE64: GeneralPurpose = GeneralPurpose::new(
+pub(super) const BASE64: GeneralPurpose = GeneralPurpose::new(
     &STANDARD,
     GeneralPurposeConfig::new()
         .with_decode_padding_mode(DecodePaddingMode::Indifferent)

@@ -9,7 +9,7 @@ mod window;
 use crate::export::ProjectionFormat;
 use crate::language::{Message, key, number, say, tr};
 use crate::model::export::ReadyFile;
-use crate::worker::{Finding, FoundProjection, ProjectionTask};
+use crate::worker::{Feature, Finding, FoundProjection, ProjectionTask, RefusedProjection};
 use std::borrow::Cow;
 
 /// The window; closed at first.
@@ -31,7 +31,13 @@ enum Work {
     /// It is done.
     Made(Box<FoundProjection>),
     /// Why there is no map.
-    Failed(Message),
+    Failed(Box<RefusedProjection>),
+}
+
+impl Work {
+    fn failed(reason: Message) -> Self {
+        Self::Failed(Box::new(RefusedProjection { reason, repairable: false, features: Vec::new() }))
+    }
 }
 
 impl ProjectionWindow {
@@ -72,9 +78,25 @@ impl ProjectionWindow {
         self.work = match finding {
             Finding::Progress(done) => Work::Running(done),
             Finding::Projection(found) => Work::Made(found),
-            Finding::Failed(reason) => Work::Failed(reason),
-            _ => Work::Failed(key::another_answer().into()),
+            Finding::NoProjection(refused) => Work::Failed(refused),
+            Finding::Failed(reason) => Work::failed(reason),
+            _ => Work::failed(key::another_answer().into()),
         };
+    }
+
+    /// What is computed or shown.
+    pub fn task(&self) -> Option<&ProjectionTask> {
+        self.task.as_ref()
+    }
+
+    /// The features of the file, if it has several, and the number of the one that is shown alone.
+    fn features(&self) -> (&[Feature], Option<usize>) {
+        let features = match &self.work {
+            Work::Made(found) => &found.features[..],
+            Work::Failed(refused) => &refused.features[..],
+            Work::None | Work::Running(_) => &[],
+        };
+        (features, self.task.as_ref().and_then(ProjectionTask::feature))
     }
 
     /// The map that is shown.
@@ -100,9 +122,9 @@ impl ProjectionWindow {
 
     /// Why there is no map, with the file's name; nothing while the window is closed.
     pub fn error(&self) -> Option<Message> {
-        let Work::Failed(reason) = &self.work else { return None };
+        let Work::Failed(refused) = &self.work else { return None };
         let name = self.name().into_owned();
-        self.is_open.then(|| key::about(name, reason.clone()))
+        self.is_open.then(|| key::about(name, refused.reason.clone()))
     }
 
     /// What is shown, in sentences; nothing while the window is closed.
@@ -134,7 +156,7 @@ mod tests {
     #[test]
     fn findings_of_what_was_cancelled_or_replaced_are_dropped() {
         let mut window = ProjectionWindow::default();
-        let file = ProjectionTask::File { name: "a.geojson".into(), bytes: vec![1] };
+        let file = ProjectionTask::of_file("a.geojson", vec![1]);
         window.begin(file.clone());
         window.accept(&file, Finding::Progress(0.5));
         assert_eq!(window.progress(), Some(0.5));

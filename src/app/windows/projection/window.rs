@@ -3,13 +3,17 @@
 use super::{ProjectionWindow, Work, picture};
 use crate::app::input::action::{Action, Actions, ProjectionAction};
 use crate::app::theme::explained::explained_heading;
-use crate::app::theme::widgets::close_button;
+use crate::app::theme::text_metrics::scroll_beyond;
+use crate::app::theme::widgets::{close_button, drop_down};
 use crate::app::theme::{Palette, ROW_HEIGHT, control_height};
 use crate::app::windows::exporting::progress::progress_bar;
 use crate::export::ProjectionFormat;
 use crate::language::{Value, key, number, say, tr};
-use crate::worker::FoundProjection;
-use egui::{Align2, Button, Context, Grid, Key, Modifiers, RichText, Role, ScrollArea, Ui, WidgetInfo, Window, vec2};
+use crate::worker::{Feature, FoundProjection};
+use egui::{
+    Align2, Button, Context, Grid, Key, Modifiers, PopupCloseBehavior, RichText, Role, ScrollArea, Ui, WidgetInfo,
+    Window, vec2,
+};
 
 /// The size of the window where there is room, and what the screen keeps around it, in points.
 const SIZE: egui::Vec2 = vec2(760.0, 720.0);
@@ -21,6 +25,8 @@ const LEAST_MAP: f32 = 160.0;
 /// numbers stand beside it.
 const WIDE: f32 = 1.8;
 const BESIDE: f32 = 0.55;
+/// The height that the list of features leaves free, in points.
+const AROUND_LIST: f32 = 260.0;
 /// The width of the button that cancels.
 const CANCEL: f32 = 100.0;
 
@@ -56,15 +62,43 @@ impl ProjectionWindow {
             Work::None => _ = ui.label(tr(key::projection_begin())),
             Work::Running(done) => self.running(ui, *done, actions),
             Work::Made(found) => made(ui, found, height),
-            Work::Failed(_) => {
-                let ink = Palette::of(ui.visuals()).error_edge;
-                if let Some(reason) = self.error() {
-                    ui.label(RichText::new(say(&reason)).color(ink));
-                }
-            }
+            Work::Failed(refused) => self.refused(ui, refused.repairable, actions),
         });
         ui.add_space(4.0);
         ui.horizontal_wrapped(|ui| self.buttons(ui, actions));
+    }
+
+    fn refused(&self, ui: &mut Ui, repairable: bool, actions: &mut Actions) {
+        let ink = Palette::of(ui.visuals()).error_edge;
+        if let Some(reason) = self.error() {
+            ui.label(RichText::new(say(&reason)).color(ink));
+        }
+        let height = control_height(ui, ROW_HEIGHT);
+        let repair = || Button::new(tr(key::repair())).min_size(vec2(0.0, height));
+        if repairable && ui.add(repair()).on_hover_text(tr(key::repair_region_tooltip())).clicked() {
+            actions.push(Action::Projection(ProjectionAction::Repair));
+        }
+    }
+
+    /// The menu of the file's features, by name.
+    fn features_button(&self, ui: &mut Ui, actions: &mut Actions) {
+        let (features, shown) = self.features();
+        if features.is_empty() {
+            return;
+        }
+        let name = |feature: &Feature| feature.name.clone().unwrap_or_else(|| say(&key::part_number(feature.number)));
+        drop_down(ui, tr(key::feature()), PopupCloseBehavior::CloseOnClick, |ui| {
+            scroll_beyond(ui, AROUND_LIST, |ui| {
+                let all = (None, tr(key::all_features()).to_owned());
+                let each = features.iter().map(|feature| (Some(feature.number), name(feature)));
+                for (number, name) in std::iter::once(all).chain(each) {
+                    if ui.selectable_label(number == shown, name).clicked() {
+                        actions.push(Action::Projection(ProjectionAction::Feature(number)));
+                        ui.close();
+                    }
+                }
+            });
+        });
     }
 
     fn running(&self, ui: &mut Ui, done: f64, actions: &mut Actions) {
@@ -90,6 +124,7 @@ impl ProjectionWindow {
                 actions.push(Action::Projection(action));
             }
         }
+        self.features_button(ui, actions);
         for format in ProjectionFormat::ALL.into_iter().filter(|_| self.found().is_some()) {
             let name = format.extension().to_uppercase();
             let save = ui.add(button(&format!("{} {name}", tr(key::save_projection()))));
