@@ -150,7 +150,7 @@ pub enum OutlineError {
         fault: SvgFault,
     },
     /// SVG without any path or shape.
-    #[error("this SVG has no path")]
+    #[error("this SVG has no path: convert texts to paths")]
     NoPath,
     /// SVG with open paths only.
     #[error("no path of this SVG is closed ({paths} open)")]

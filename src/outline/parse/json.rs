@@ -4,12 +4,18 @@
 use serde_json::Value;
 
 use super::ring::Ring;
-use super::{JsonFault, JsonKind, OutlineError, PartChoice, PointFault, geojson, part};
+use super::{JsonFault, JsonKind, OutlineError, PartChoice, PointFault, bracketed, geojson, part};
 use crate::geometry::DVec2;
 
 /// Reads a list of points, or of `GeoJSON` the feature with the name or number `wanted`, or its largest ring.
 pub(super) fn read(text: &str, wanted: Option<PartChoice>) -> Result<Ring, OutlineError> {
-    let value: Value = serde_json::from_str(text).map_err(|e| syntax_error(&e))?;
+    let value: Value = match serde_json::from_str(text) {
+        Ok(value) => value,
+        Err(error) => {
+            let points = bracketed::points(text).filter(|_| wanted.is_none());
+            return points.map(Ring::of).ok_or_else(|| syntax_error(&error));
+        }
+    };
     if let Value::Object(object) = &value
         && !object.contains_key("points")
         && matches!(object.get("type"), Some(Value::String(_)))

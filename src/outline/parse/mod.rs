@@ -5,6 +5,7 @@
 //! reversed is reported in a note, and what cannot be an outline is an error with its place.
 //! No input makes a reader panic, and readers access nothing but the given bytes.
 
+mod bracketed;
 mod error;
 mod fault;
 mod geojson;
@@ -41,6 +42,8 @@ enum Format {
     SvgPathData,
     /// `POLYGON ((…))`.
     WellKnownText,
+    /// All points in parentheses.
+    Bracketed,
     /// All points on one line.
     PointList,
     Table,
@@ -86,7 +89,7 @@ pub fn parse(file_name: &str, bytes: &[u8]) -> Result<Outline, OutlineError> {
 /// - the data of an SVG path (`M 0 0 L …`) without the rest; well-known text (`POLYGON ((x y, …))`);
 /// - tables: two numbers on a line, between them blanks, a tab, a comma or a semicolon, with titles, headers, remarks
 ///   and a third column (`table`); airfoils as Selig and Lednicer write them;
-/// - points on one line, as in an SVG polygon.
+/// - points on one line, as in an SVG polygon, or in brackets, as programming languages print them.
 ///
 /// Repeated points are dropped, and a last point equal to the first up to rounding is. Files may have up to
 /// [`MAX_BYTES`], and outlines up to 200,000 points.
@@ -159,6 +162,7 @@ fn read(bytes: &[u8], part: Option<PartChoice>) -> Result<Ring, OutlineError> {
         (_, Some(wanted)) => Err(part::single(wanted)),
         (Format::SvgPathData, None) => svg::read_path_data(text),
         (Format::WellKnownText, None) => well_known_text::read(text),
+        (Format::Bracketed, None) => bracketed::points(text).map(Ring::of).ok_or(OutlineError::Empty),
         (Format::PointList, None) => point_list::read(text),
         (Format::Table, None) => table::read(text),
     }
@@ -191,6 +195,7 @@ fn format_of(text: &str) -> Format {
     match text.trim_start().chars().next() {
         Some('[' | '{') => Format::Json,
         Some('<') => Format::Svg,
+        Some('(') if bracketed::points(text).is_some() => Format::Bracketed,
         Some('M' | 'm') if svg_exact::is_path_data(text) => Format::SvgPathData,
         _ if well_known_text::is_one(text) => Format::WellKnownText,
         _ if point_list::is_one(text) => Format::PointList,

@@ -60,6 +60,7 @@ fn the_same_triangle_in_every_format() {
         // GeoJSON's coordinates are degrees, which a plane does not have
         let notes: &[OutlineNote] = match text {
             _ if text.contains("Polygon") => &[OutlineNote::Geographic],
+            _ if text.starts_with(['<', 'M']) && !text.starts_with("MULTI") => &[OutlineNote::Upwards],
             _ if text.contains("MULTI") => &[OutlineNote::LargestOf { rings: 2 }],
             _ => &[],
         };
@@ -154,6 +155,28 @@ fn faults_of_json_are_named_with_line_and_column() {
 }
 
 #[test]
+fn points_are_read_as_languages_print_them() {
+    for text in [
+        "[(0, 0), (4, 0), (0, 3)]",
+        "(0, 0)\n(4, 0)\n(0, 3)\n",
+        "[[0. 0.]\n [4. 0.]\n [0. 3.]]\n",
+        "{{0, 0}, {4, 0}, {0, 3}}",
+        "0.0D+00 0.0d0\n4.D0 0\n0 3.0D0\n",
+        "0,0,\n4,0,\n0,3,\n",
+        "lat,lon\n0,0\n0,4\n3,0\n",
+        "Northing [m];Easting [m]\n0;0\n0;4\n3;0\n",
+    ] {
+        assert_eq!(vertices(&read("x.txt", text).unwrap()), TRIANGLE, "{text}");
+    }
+    for text in
+        ["[[0,0],[4,0],[0,3]", "[(0, 0), (4, 0), (0, 3, 1)]", "[(0, 0), (4, 0), (0, NaN)]", "[(0, 0), (4, 0]), x"]
+    {
+        assert!(read("x.txt", text).is_err(), "{text}");
+    }
+    assert!(read("x.csv", "0,0\n4,\n0,3\n").is_err(), "a number is missing");
+}
+
+#[test]
 fn faults_of_tables_are_named_with_line_and_column() {
     let fault = |text: &str| message("x.csv", text);
     assert_eq!(fault("x,y\n1,2\n3,é4"), "\"é4\" at line 3, column 3 is not a number");
@@ -169,7 +192,7 @@ fn faults_of_tables_are_named_with_line_and_column() {
     assert_eq!(fault("1,2\n\n  1e999 3"), "the number at line 3, column 3 is out of range");
     assert_eq!(fault("1,NaN"), "\"NaN\" at line 1, column 3 is not a number");
     assert_eq!(fault("1,,2"), "a number is missing at line 1, column 3");
-    assert_eq!(fault("1,2,"), "a number is missing at line 1, column 5");
+    assert_eq!(fault("1,,"), "a number is missing at line 1, column 3");
     assert_eq!(fault(",2"), "a number is missing at line 1, column 1");
     assert_eq!(fault("1,2\nx,y\n3,4"), "\"x\" at line 2, column 1 is not a number");
     assert_eq!(fault("width 3"), "\"width\" at line 1, column 1 is not a number");
@@ -242,7 +265,7 @@ fn svg_transforms_styles_and_uses_are_resolved() {
     let mirrored = svg(r#"<path transform="scale(-1 1)" fill="none" stroke="red" d="M0 0 L4 0 L0 -3 Z"/>"#);
     let mirrored = read("t.svg", &mirrored).unwrap();
     assert_eq!(vertices(&mirrored), [(0.0, 0.0), (0.0, 3.0), (-4.0, 0.0)]);
-    assert_eq!(mirrored.notes, [OutlineNote::Reversed]);
+    assert_eq!(mirrored.notes, [OutlineNote::Upwards, OutlineNote::Reversed]);
 }
 
 #[test]
@@ -284,7 +307,7 @@ fn the_shape_of_the_largest_painted_area_is_taken_and_another_on_request() {
     let outline = read("x.svg", &text).unwrap();
     assert_eq!((outline.polygon.area(), outline.name()), (1200.0, "open"));
     let taken = OutlineNote::ShapeTaken { number: 2, count: 4, name: Some("open".into()) };
-    assert_eq!(outline.notes, [taken, OutlineNote::Reversed]);
+    assert_eq!(outline.notes, [taken, OutlineNote::Upwards, OutlineNote::Reversed]);
     let part =
         |part| parse_as("x.svg", text.as_bytes(), &Reading { repair: false, part: Some(PartChoice::Called(part)) });
     assert_eq!(part("4").unwrap().polygon.area(), 180.0);
@@ -340,7 +363,7 @@ fn coordinates_are_those_of_user_space() {
 
 #[test]
 fn faults_of_svg_are_named() {
-    assert_eq!(message("x.svg", &svg("")), "this SVG has no path");
+    assert_eq!(message("x.svg", &svg("")), "this SVG has no path: convert texts to paths");
     let line = svg(r#"<path fill="none" stroke="red" d="M0 0 L4 0 L0 3"/>"#);
     assert_eq!(message("x.svg", &line), "no path of this SVG is closed (1 open)");
     let broken = message("x.svg", "<svg xmlns='http://www.w3.org/2000/svg'>\n<path</svg>");

@@ -163,7 +163,7 @@ pub enum Unsupported {
     #[error("{0} (decode it: gltf-transform cp in.glb out.glb)")]
     Extension(String),
     /// glTF: a buffer in a separate file.
-    #[error("the separate file \"{0}\" (put it beside this one, use .glb, or embed it)")]
+    #[error("the separate file \"{0}\" (put it beside this one or drop both, use .glb, or embed it)")]
     SeparateFile(String),
     /// glTF: an embedded buffer with an encoding other than base 64.
     #[error("data that is not in base 64")]

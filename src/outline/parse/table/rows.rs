@@ -87,10 +87,14 @@ impl Divider {
     }
 
     fn row<'a>(&mut self, line: usize, begins_part: bool, content: &'a str) -> Row<'a> {
-        let fields = match self.separator {
+        let mut fields = match self.separator {
             Separator::Character(_) => self.fields(content),
             Separator::Any => between_blanks(content),
         };
+        // a separator at the end of a line separates nothing
+        if fields.len() > 2 {
+            fields.pop_if(|last| last.text.is_empty());
+        }
         let has_decimal_commas = matches!(self.separator, Separator::Character(b';' | b'\t'));
         let is_mixed = match self.separator {
             Separator::Any => {
@@ -191,13 +195,13 @@ impl Row<'_> {
         if self.is_remark() || self.fields.iter().any(is_word) { Ok(()) } else { self.numbers().map(|_| ()) }
     }
 
-    /// The column whose header is `name` before a unit, in any case: "x", "X [mm]", "x(m)".
-    pub fn position_of(&self, name: &str) -> Option<usize> {
+    /// The column whose header is one of `names` before a unit, in any case: "x", "X [mm]", "x(m)".
+    pub fn position_of(&self, names: &[&str]) -> Option<usize> {
         let title = |field: &Field| {
             let end = field.text.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(field.text.len());
             field.text[..end].to_lowercase()
         };
-        self.fields.iter().position(|field| title(field) == name)
+        self.fields.iter().position(|field| names.contains(&&*title(field)))
     }
 
     /// The numbers of the fields. Errors: the first field that is none.
@@ -218,9 +222,15 @@ impl Row<'_> {
         self.plain(field).parse().ok()
     }
 
-    /// The text of a field, a decimal comma as a point.
+    /// The text of a field, a decimal comma as a point, and Fortran's exponent "1.5D+02" with an e.
     fn plain(&self, field: &Field) -> String {
         let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+        if let Some((number, exponent)) = field.text.split_once(['d', 'D'])
+            && number.parse::<f64>().is_ok()
+            && exponent.parse::<i32>().is_ok()
+        {
+            return format!("{number}e{exponent}");
+        }
         match field.text.split_once(',') {
             Some((whole, part))
                 if self.has_decimal_commas && digit(whole.chars().last()) && digit(part.chars().next()) =>
