@@ -11,7 +11,7 @@ pub struct Faults {
     /// Edges: those with more than two triangles, between triangles of different orientation, of triangles that have no
     /// area or are there twice, of loops, and of all components but the largest.
     pub edges: Vec<[u32; 2]>,
-    /// Vertices: those that join parts without a common edge, or are in no triangle.
+    /// Vertices: those that join parts without a common edge.
     pub vertices: Vec<u32>,
 }
 
@@ -48,11 +48,6 @@ impl TopologyError {
                 of_vertices((0..).zip(fans).filter(|(_, fans)| *fans > 1).map(|(v, _)| v))
             }
             Self::Components { .. } => outside_of_largest(surface),
-            Self::Unreferenced { .. } => {
-                let mut used = vec![false; surface.vertices.len()];
-                surface.triangles.iter().flatten().for_each(|&v| used[v as usize] = true);
-                of_vertices((0..).zip(used).filter(|(_, used)| !used).map(|(v, _)| v))
-            }
             Self::Empty
             | Self::IndexOutOfRange { .. }
             | Self::NotFinite { .. }
@@ -115,7 +110,6 @@ mod tests {
         let turned = faults(4, &[[0, 1, 2], [0, 1, 3]]);
         assert_eq!(turned.edges, [[0, 1]]);
         assert_eq!(faults(5, &[[0, 1, 2], [0, 3, 4]]).vertices, [0]);
-        assert_eq!(faults(4, &[[0, 1, 2]]).vertices, [3]);
         let apart = faults(7, &[[0, 1, 2], [0, 2, 3], [4, 5, 6]]);
         assert_eq!(apart.edges, [[5, 6], [6, 4], [4, 5]]);
         let twice = faults(3, &[[0, 1, 2], [0, 1, 2]]);

@@ -245,7 +245,8 @@ fn keep_largest(repaired: &mut Repaired) {
     }
 }
 
-fn drop_unreferenced(repaired: &mut Repaired) {
+/// Drops vertices in no triangle; indices must be in range.
+pub(super) fn drop_unreferenced(repaired: &mut Repaired) {
     let Repaired { surface, vertex_origins, notes, .. } = repaired;
     let mut number = vec![ADDED; surface.vertices.len()];
     surface.triangles.iter().flatten().for_each(|&v| number[v as usize] = 0);

@@ -49,11 +49,25 @@ pub(super) fn check_values(surface: &Surface) -> Result<(), TopologyError> {
             vertices,
         });
     }
-    let sound = |p: &DVec3| p.abs().max_element() <= MAX_COORDINATE && p.is_finite();
-    if let Some(vertex) = surface.vertices.iter().position(|p| !sound(p)) {
-        return Err(TopologyError::NotFinite { vertex: VertexId::new(vertex as u32) });
+    check_places(surface)
+}
+
+/// Whether a place is finite and no area there overflows.
+pub(super) fn is_sound(place: DVec3) -> bool {
+    place.abs().max_element() <= MAX_COORDINATE && place.is_finite()
+}
+
+/// Checks the positions of the vertices of triangles, whose indices are checked.
+fn check_places(surface: &Surface) -> Result<(), TopologyError> {
+    let corners = surface.triangles.as_flattened();
+    if corners.iter().any(|&v| !is_sound(surface.vertices[v as usize])) {
+        let mut astray: Vec<u32> =
+            corners.iter().copied().filter(|&v| !is_sound(surface.vertices[v as usize])).collect();
+        astray.sort_unstable();
+        astray.dedup();
+        return Err(TopologyError::NotFinite { vertex: VertexId::new(astray[0]), count: astray.len() });
     }
-    // unreferenced vertices do not count for the extent; if it is 0, the triangles are reported as flat later
+    // if the extent is 0, the triangles are reported as flat later
     let first = surface.vertices[corners[0] as usize];
     let offsets = corners.iter().map(|&v| (surface.vertices[v as usize] - first).abs().max_element());
     match offsets.fold(0.0, f64::max) {
@@ -254,20 +268,14 @@ pub(super) fn connectivity(surface: &Surface) -> Result<Connectivity, TopologyEr
 }
 
 impl Connectivity {
-    /// Checks for one component, one loop, no handle, no vertex without triangle.
+    /// Checks for one component, one loop, no handle. Vertices in no triangle do not matter.
     pub(super) fn check_disk(&self, surface: &Surface) -> Result<(), TopologyError> {
         if self.sizes.len() > 1 {
             let mut triangles = self.sizes.clone();
             sort_by_number(&mut triangles, |&count| -(count as f64));
             return Err(TopologyError::Components { triangles });
         }
-        let mut used = vec![false; surface.vertices.len()];
-        surface.triangles.iter().flatten().for_each(|&v| used[v as usize] = true);
-        if let Some(vertex) = used.iter().position(|used| !used) {
-            let count = used.iter().filter(|used| !**used).count();
-            return Err(TopologyError::Unreferenced { vertex: VertexId::new(vertex as u32), count });
-        }
-        let genus = self.genus(surface.vertices.len());
+        let genus = self.genus(used(surface).into_iter().filter(|used| *used).count());
         match self.loops.len() {
             0 => Err(TopologyError::Closed { genus }),
             _ if genus > 0 => Err(TopologyError::Genus { genus }),
@@ -283,6 +291,13 @@ impl Connectivity {
         let (faces, edges) = (halves / 3, halves.midpoint(boundary));
         (2 + edges).saturating_sub(vertices + faces + self.loops.len()) / 2
     }
+}
+
+/// Whether each vertex is in a triangle.
+pub(super) fn used(surface: &Surface) -> Vec<bool> {
+    let mut used = vec![false; surface.vertices.len()];
+    surface.triangles.iter().flatten().for_each(|&v| used[v as usize] = true);
+    used
 }
 
 pub(super) fn report(surface: &Surface, vertices: &[u32]) -> LoopReport {

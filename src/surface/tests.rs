@@ -71,9 +71,10 @@ fn bad_values_are_named() {
     );
     let mut surface = grid(2);
     surface.vertices[5].y = f64::NAN;
-    assert_eq!(error(&surface), TopologyError::NotFinite { vertex: VertexId::new(5) });
+    assert_eq!(error(&surface), TopologyError::NotFinite { vertex: VertexId::new(5), count: 1 });
     surface.vertices[5].y = 1.1e75;
-    assert_eq!(error(&surface), TopologyError::NotFinite { vertex: VertexId::new(5) });
+    surface.vertices[7].x = f64::NEG_INFINITY;
+    assert_eq!(error(&surface), TopologyError::NotFinite { vertex: VertexId::new(5), count: 2 });
     let mut surface = grid(2);
     surface.vertices.iter_mut().for_each(|p| *p *= 1e-72);
     assert!(matches!(error(&surface), TopologyError::TooSmall { .. }));
@@ -177,8 +178,21 @@ fn parts_and_loose_vertices_are_counted_and_dropped() {
     let expected = [RepairNote::KeptLargest { components: 2, dropped: 1 }, RepairNote::DroppedVertices { count: 4 }];
     assert_eq!(repaired.repairs(), expected);
     assert_eq!((repaired.triangle_origins()[0], repaired.number_of(VertexId::new(12))), (1, None));
-    surface.triangles.remove(0);
-    assert_eq!(error(&surface), TopologyError::Unreferenced { vertex: VertexId::new(9), count: 4 });
+}
+
+#[test]
+fn vertices_in_no_triangle_are_dropped_wherever_they_are() {
+    let mut surface = grid(2);
+    surface.vertices.extend([DVec3::Z, DVec3::NAN, DVec3::INFINITY, DVec3::splat(1e300)]);
+    let plain = SurfaceMesh::new(&grid(2)).unwrap();
+    for disk in [SurfaceMesh::new(&surface).unwrap(), SurfaceMesh::repaired(&surface).unwrap()] {
+        assert_eq!(disk.repairs(), [RepairNote::DroppedVertices { count: 4 }]);
+        assert_eq!((disk.mesh(), disk.vertex_origins()), (plain.mesh(), plain.vertex_origins()));
+        // they keep their numbers, at a finite place
+        let positions: Vec<DVec3> = disk.origin_positions().collect();
+        assert_eq!(positions[..10], surface.vertices[..10]);
+        assert_eq!(positions[10..], [positions[0]; 3]);
+    }
 }
 
 #[test]

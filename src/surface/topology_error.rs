@@ -38,11 +38,18 @@ pub enum TopologyError {
         /// Number of vertices.
         vertices: usize,
     },
-    /// A coordinate is NaN or infinite, or so large that areas overflow.
-    #[error("vertex {vertex} is at no finite place that can be dealt with (up to ±{MAX_COORDINATE:e})")]
+    /// Coordinates of triangles' vertices are NaN or infinite, or so large that areas overflow.
+    #[error("{}", counted!(
+        *count,
+        "vertex {vertex} is at no finite place that can be dealt with (up to ±{MAX_COORDINATE:e})",
+        "{count} vertices are at no finite place that can be dealt with (up to ±{MAX_COORDINATE:e}), the first is vertex \
+         {vertex}"
+    ))]
     NotFinite {
-        /// Number of the vertex.
+        /// The first such vertex.
         vertex: VertexId,
+        /// Number of such vertices.
+        count: usize,
     },
     /// The surface is so small that areas underflow.
     #[error("the surface is {extent:e} across: {MIN_EXTENT:e} at least can be dealt with")]
@@ -165,18 +172,6 @@ pub enum TopologyError {
     Components {
         /// Number of triangles in each part, largest first.
         triangles: Vec<usize>,
-    },
-    /// Vertices that belong to no triangle.
-    #[error("{}", counted!(
-        *count,
-        "vertex {vertex} is in no triangle: drop it",
-        "{count} vertices are in no triangle, the first is vertex {vertex}: drop them"
-    ))]
-    Unreferenced {
-        /// The first such vertex.
-        vertex: VertexId,
-        /// Number of such vertices.
-        count: usize,
     },
     /// The surface has no boundary.
     #[error("the surface is closed (genus {genus}); it must have a boundary: cut it open")]

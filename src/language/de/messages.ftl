@@ -203,7 +203,6 @@ surface_file_too_large = die Datei hat { $bytes } Byte; Flächen bis { $limit } 
 surface_file_too_many_triangles = { $place }: mehr als { $limit } Dreiecke
 surface_file_unknown_format = „.{ $extension }“ ist kein bekanntes Flächenformat: obj, ply, stl, off, gltf, glb
 surface_file_not_a_number = { $place }: „{ $found }“ ist keine Zahl
-surface_file_not_finite = { $place }: eine Koordinate der Ecke { $vertex } ist keine endliche Zahl
 surface_file_missing = { $place }: { $what } fehlt
 surface_file_index_out_of_range = { $vertices ->
     [one] { $place }: ein Vieleck nennt Ecke { $index }, die Datei hat aber nur 1 Ecke
@@ -230,7 +229,10 @@ topology_index_out_of_range = { $vertices ->
     [one] Dreieck { $triangle } nennt Ecke { $vertex }, es gibt aber nur 1 Ecke
    *[other] Dreieck { $triangle } nennt Ecke { $vertex }, es gibt aber { $vertices } Ecken
 }
-topology_not_finite = Ecke { $vertex } liegt an keinem endlichen Ort, mit dem sich rechnen lässt (bis ±{ $limit })
+topology_not_finite = { $count ->
+    [one] Ecke { $vertex } liegt an keinem endlichen Ort, mit dem sich rechnen lässt (bis ±{ $limit })
+   *[other] { $count } Ecken liegen an keinem endlichen Ort, mit dem sich rechnen lässt (bis ±{ $limit }), die erste ist Ecke { $vertex }
+}
 topology_too_small = die Fläche hat eine Ausdehnung von { $extent }: Rechnen lässt sich ab { $limit }
 topology_repeated_corner = { $count ->
     [one] Dreieck { $triangle } { $corners } nennt eine Ecke zweimal: weglassen
@@ -256,10 +258,6 @@ topology_one_sided = die Fläche hat nur eine Seite (wie ein Möbiusband): Keine
 topology_non_manifold_vertex = { $count ->
     [one] Ecke { $vertex } verbindet Teile ohne gemeinsame Kante, { $fans } Fächer von Dreiecken: jedem dort eine eigene Ecke geben
    *[other] { $count } Ecken verbinden Teile ohne gemeinsame Kante, die erste ist Ecke { $vertex } mit { $fans } Fächern von Dreiecken: jedem dort eine eigene Ecke geben
-}
-topology_unreferenced = { $count ->
-    [one] Ecke { $vertex } ist in keinem Dreieck: weglassen
-   *[other] { $count } Ecken sind in keinem Dreieck, die erste ist Ecke { $vertex }: weglassen
 }
 topology_closed = die Fläche ist geschlossen (Geschlecht { $genus }); sie muss einen Rand haben: aufschneiden
 topology_genus = { $genus ->

@@ -10,7 +10,9 @@ impl From<&TopologyError> for Message {
             TopologyError::IndexOutOfRange { triangle, vertex, vertices } => {
                 key::topology_index_out_of_range(*vertices, *triangle, *vertex)
             }
-            TopologyError::NotFinite { vertex } => key::topology_not_finite(*vertex, format!("{MAX_COORDINATE:e}")),
+            TopologyError::NotFinite { vertex, count } => {
+                key::topology_not_finite(*count, *vertex, format!("{MAX_COORDINATE:e}"))
+            }
             TopologyError::TooSmall { extent } => {
                 key::topology_too_small(format!("{extent:e}"), format!("{MIN_EXTENT:e}"))
             }
@@ -37,7 +39,6 @@ impl From<&TopologyError> for Message {
                 let sizes = listed(triangles, |size| size.to_string().into());
                 key::topology_components(triangles.len(), sizes)
             }
-            TopologyError::Unreferenced { vertex, count } => key::topology_unreferenced(*count, *vertex),
             TopologyError::Closed { genus } => key::topology_closed(*genus),
             TopologyError::NoLoop { asked, loops } => {
                 key::topology_no_loop(loops.len(), listed(loops, |each| each.into()), *asked)

@@ -14,7 +14,6 @@ impl From<&SurfaceError> for Message {
             SurfaceError::NotANumber { place, found } => {
                 key::surface_file_not_a_number(Message::from(place), found.as_str())
             }
-            SurfaceError::NotFinite { place, vertex } => key::surface_file_not_finite(Message::from(place), *vertex),
             SurfaceError::Missing { place, what } => {
                 key::surface_file_missing(Message::from(place), Message::from(*what))
             }

@@ -106,15 +106,15 @@ keys_of_messages! {
     // surface
     surface_file_too_large(bytes, limit); surface_file_too_many_triangles(place, limit);
     surface_file_unknown_format(extension); surface_file_not_a_number(place, found);
-    surface_file_not_finite(place, vertex); surface_file_missing(place, what);
+    surface_file_missing(place, what);
     surface_file_index_out_of_range(vertices, place, index);
     surface_file_unsupported(place, what); surface_note_triangulated(polygons); surface_note_welded(before, after);
     surface_note_left_apart(vertices); surface_note_dropped_faces(count); surface_note_surplus(place); topology_index_out_of_range(vertices, triangle, vertex);
-    topology_not_finite(vertex, limit); topology_too_small(extent, limit);
+    topology_not_finite(count, vertex, limit); topology_too_small(extent, limit);
     topology_repeated_corner(count, triangle, corners); topology_degenerate(count, triangle, corners);
     topology_duplicates(count, triangle, corners, other); topology_non_manifold_edge(count, start, end, triangles);
     topology_orientation(count, start, end, left, right); topology_one_sided(triangle);
-    topology_non_manifold_vertex(count, vertex, fans); topology_unreferenced(count, vertex); topology_closed(genus);
+    topology_non_manifold_vertex(count, vertex, fans); topology_closed(genus);
     topology_genus(genus); repair_dropped_triangles(count); repair_dropped_duplicates(count); repair_merged_vertices(count);
     repair_flipped_flat(count); repair_split_vertices(count); repair_joined(count); repair_oriented(count);
     repair_kept_largest(dropped, components); repair_dropped_vertices(count); surface_file_malformed(place, fault);

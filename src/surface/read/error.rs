@@ -34,14 +34,6 @@ pub enum SurfaceError {
         /// The text there, shortened.
         found: String,
     },
-    /// A coordinate that is NaN or infinite.
-    #[error("{place}: a coordinate of vertex {vertex} is not a finite number")]
-    NotFinite {
-        /// The place in the file.
-        place: Place,
-        /// The vertex, from 0.
-        vertex: usize,
-    },
     /// A required part of the file is missing.
     #[error("{place}: {what} is missing")]
     Missing {

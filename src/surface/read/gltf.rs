@@ -6,7 +6,6 @@
 
 use super::faces::Faces;
 use super::gltf_buffers::Buffers;
-use super::text::finite;
 use super::{Fault, Item, MAX_TRIANGLES, Neighbor, Place, SurfaceError, Unsupported};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
@@ -198,10 +197,7 @@ fn read_primitive(
     let accessor = primitive.attributes.position;
     let accessor = accessor.ok_or_else(|| SurfaceError::missing(place.clone(), Item::Position))?;
     let first = faces.vertices.len();
-    for point in buffers.points(accessor)? {
-        let vertex = faces.vertices.len();
-        faces.vertices.push(finite(transform.transform_point3(point), vertex, place.clone())?);
-    }
+    faces.vertices.extend(buffers.points(accessor)?.into_iter().map(|point| transform.transform_point3(point)));
     if faces.vertices.len() > 3 * MAX_TRIANGLES {
         return Err(SurfaceError::TooManyTriangles { place: place.clone() });
     }

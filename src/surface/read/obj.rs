@@ -22,8 +22,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
         let mut words = line.words();
         match words.next() {
             Some(b"v") => {
-                let point = line.point(&mut words, faces.vertices.len())?;
-                faces.vertices.push(point);
+                faces.vertices.push(line.point(&mut words)?);
             }
             Some(b"f") => {
                 corners.clear();

@@ -2,7 +2,7 @@
 
 use super::faces::{Faces, vertex_of};
 use super::scalar::{Cursor, Scalar};
-use super::text::{Line, finite, lines, shown};
+use super::text::{Line, lines, shown};
 use super::{Item, Place, SurfaceError, Unsupported};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
@@ -21,8 +21,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     for _ in 0..vertices {
         let line = next(&mut all, last, Item::Vertex)?;
         last = line.number;
-        let point = line.point(&mut line.words(), faces.vertices.len())?;
-        faces.vertices.push(point);
+        faces.vertices.push(line.point(&mut line.words())?);
     }
     let rest: Vec<Line> = all.collect();
     let goes_on = rest.len() > count;
@@ -137,14 +136,13 @@ fn read_binary(bytes: &[u8], keyword: &[u8]) -> Result<Surface, SurfaceError> {
         [Item::VertexCount, Item::FaceCount, Item::ElementCount].map(|what| whole(&mut cursor, what));
     let (vertices, count, others) = (vertices?, count?, others(keyword));
     let mut faces = Faces::default();
-    for vertex in 0..vertices {
-        let place = cursor.place();
+    for _ in 0..vertices {
         let mut point = [0.0; 3];
         for coordinate in &mut point {
             *coordinate = cursor.number(Scalar::F32, Item::OffNumber)?;
         }
         cursor.skip(others * Scalar::F32.size(), Item::OffNumber)?;
-        faces.vertices.push(finite(DVec3::from_array(point), vertex, place)?);
+        faces.vertices.push(DVec3::from_array(point));
     }
     let mut corners = Vec::new();
     for _ in 0..count {

@@ -7,7 +7,6 @@
 use super::faces::{Faces, vertex_of};
 use super::ply_header::{Body, Element, Encoding, Header, Property, Shape, header};
 use super::scalar::{Cursor, Scalar};
-use super::text::finite;
 use super::{Fault, Item, MAX_TRIANGLES, Place, SurfaceError};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
@@ -171,9 +170,8 @@ fn read_vertices(element: &Element, numbers: &mut Numbers<'_>, faces: &mut Faces
             return Err(SurfaceError::missing(Place::Line(1), Item::VertexProperty(name)));
         }
     }
-    for vertex in 0..element.count {
+    for _ in 0..element.count {
         let mut point = DVec3::ZERO;
-        let mut place = numbers.place();
         for property in &element.properties {
             let coordinate = match property.name.as_str() {
                 "x" => &mut point.x,
@@ -186,11 +184,8 @@ fn read_vertices(element: &Element, numbers: &mut Numbers<'_>, faces: &mut Faces
             };
             let Shape::One(scalar) = property.shape else { continue };
             *coordinate = numbers.next(scalar, Item::VertexCoordinate)?;
-            if let Place::Line(_) = place {
-                place = numbers.place();
-            }
         }
-        faces.vertices.push(finite(point, vertex, place)?);
+        faces.vertices.push(point);
         numbers.end_row();
     }
     Ok(())

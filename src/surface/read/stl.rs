@@ -2,7 +2,7 @@
 
 use super::faces::Faces;
 use super::scalar::{Cursor, Scalar};
-use super::text::{finite, lines};
+use super::text::lines;
 use super::{Item, Place, SurfaceError};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
@@ -46,8 +46,7 @@ fn read_binary(bytes: &[u8]) -> Result<Faces, SurfaceError> {
                 let what = Item::TriangleCorner { triangle, count };
                 *value = cursor.number(Scalar::F32, what).map_err(|_| SurfaceError::missing(place.clone(), what))?;
             }
-            let vertex = faces.vertices.len();
-            faces.vertices.push(finite(DVec3::from_array(point), vertex, place)?);
+            faces.vertices.push(DVec3::from_array(point));
         }
         faces.push(&[first, first + 1, first + 2], || cursor.place())?;
         cursor.skip(2, Item::TriangleEnd)?;
@@ -67,8 +66,7 @@ fn read_text(bytes: &[u8]) -> Result<Faces, SurfaceError> {
         match words.next().map(<[u8]>::to_ascii_lowercase).as_deref() {
             Some(b"vertex") => {
                 corners.push(faces.vertices.len() as u32);
-                let point = line.point(&mut words, faces.vertices.len())?;
-                faces.vertices.push(point);
+                faces.vertices.push(line.point(&mut words)?);
             }
             Some(b"endloop") => {
                 faces.push(&corners, || line.place())?;

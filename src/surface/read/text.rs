@@ -44,18 +44,14 @@ impl<'a> Line<'a> {
         self.bytes.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
     }
 
-    /// The next three words as the position of vertex `vertex`.
-    pub(super) fn point(
-        &self,
-        words: &mut impl Iterator<Item = &'a [u8]>,
-        vertex: usize,
-    ) -> Result<DVec3, SurfaceError> {
+    /// The next three words as a position, which may be NaN or infinite.
+    pub(super) fn point(&self, words: &mut impl Iterator<Item = &'a [u8]>) -> Result<DVec3, SurfaceError> {
         let mut coordinates = [0.0; 3];
         for (value, name) in coordinates.iter_mut().zip(["x", "y", "z"]) {
             let missing = || SurfaceError::missing(self.place(), Item::Coordinate(name));
             *value = self.number_in(words.next().ok_or_else(missing)?)?;
         }
-        finite(DVec3::from_array(coordinates), vertex, self.place())
+        Ok(DVec3::from_array(coordinates))
     }
 
     /// A word as a number; NaN and infinity are numbers here.
@@ -76,11 +72,6 @@ impl<'a> Line<'a> {
         let negative = || SurfaceError::malformed(self.place(), Fault::Count { what, found: shown(word) });
         usize::try_from(self.integer_in(word)?).map_err(|_| negative())
     }
-}
-
-/// The point, if it is finite.
-pub(super) fn finite(point: DVec3, vertex: usize, place: Place) -> Result<DVec3, SurfaceError> {
-    if point.is_finite() { Ok(point) } else { Err(SurfaceError::NotFinite { place, vertex }) }
 }
 
 /// The first characters of a word, for messages.

@@ -50,11 +50,13 @@ fn parts(surface: &Surface) -> (usize, usize) {
     connectivity(surface).map_or((usize::MAX, usize::MAX), |found| (found.sizes.len(), found.loops.len()))
 }
 
-/// The larger side of the box around the vertices.
+/// The larger side of the box around the vertices of triangles; 0 if an index is out of range.
 fn extent(surface: &Surface) -> f64 {
     let ends = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    let (low, high) = surface.vertices.iter().fold(ends, |(low, high), &p| (low.min(p), high.max(p)));
-    (high - low).max_element()
+    let corners = surface.triangles.as_flattened().iter();
+    let places = corners.filter_map(|&v| surface.vertices.get(v as usize)).filter(|p| p.is_finite());
+    let (low, high) = places.fold(ends, |(low, high), &p| (low.min(p), high.max(p)));
+    (high - low).max_element().max(0.0)
 }
 
 /// The surface with vertices of triangles within `distance` of an earlier one merged into it; `None` if there are none. They
