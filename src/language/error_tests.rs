@@ -269,6 +269,8 @@ fn surfaces_that_are_no_disks() {
             "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 1 1 0\nv 3 1 0\nv 1 3 0\n",
             "f 1 2 5\nf 1 5 4\nf 2 3 6\nf 2 6 5\nf 3 1 4\nf 3 4 6\n",
         ),
+        // three kinds
+        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 7 0 0\n", "f 1 2 3\nf 1 2 2\nf 4 5 6\n"),
     ];
     for (vertices, faces) in surfaces {
         let surface = read_surface("a.obj", format!("{vertices}{faces}").as_bytes()).unwrap();

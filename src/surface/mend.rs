@@ -104,7 +104,7 @@ pub(super) fn split_pinched(repaired: &mut Repaired) {
         let vertex = surface.triangles[corner / 3][corner % 3];
         let is_first = !std::mem::replace(&mut is_taken[vertex as usize], true);
         let mut fan = Vec::new();
-        visit_fan(&twins, corner, &mut visited, &mut |corner| fan.push(corner));
+        visit_fan(&surface.triangles, &twins, corner, &mut visited, &mut |corner| fan.push(corner));
         if !is_first {
             let number = surface.vertices.len() as u32;
             surface.vertices.push(surface.vertices[vertex as usize]);

@@ -301,7 +301,9 @@ repair_dropped_vertices = { $count ->
    *[other] { $count } Ecken in keinem Dreieck wurden weggelassen
 }
 surface_file_malformed = { $place }: { $fault }
-topology_components = die Fläche hat { $count } Teile (Dreiecke: { $sizes }): den größten behalten
+topology_components = die Fläche hat { $count } Teile: den größten behalten (Dreiecke: { $sizes }; das erste außerhalb von ihm ist Dreieck { $first })
+topology_several = die Fläche hat Fehler von { $count } Arten: { $faults }
+topology_fault = ({ $number }) { $fault }
 topology_loops = die Fläche hat { $count } Randkurven, eine Scheibe hat eine: alle außer der längsten füllen. Das sind die Randkurven: { $loops }
 topology_flat_hole = { $count ->
     [one] ein Loch hat keine Fläche, da seine Ecken auf einer Linie liegen: Sie sind zu verbinden ({ $hole })

@@ -301,7 +301,9 @@ repair_dropped_vertices = { $count ->
    *[other] { $count } vertices in no triangle were dropped
 }
 surface_file_malformed = { $place }: { $fault }
-topology_components = the surface has { $count } components: keep the largest one (triangles: { $sizes })
+topology_components = the surface has { $count } components: keep the largest one (triangles: { $sizes }; the first outside of it is triangle { $first })
+topology_several = the surface has { $count } kinds of faults: { $faults }
+topology_fault = ({ $number }) { $fault }
 topology_loops = the surface has { $count } boundary loops where a disk has one: fill all but the longest. These are the loops: { $loops }
 topology_flat_hole = { $count ->
     [one] a hole has no area, since its vertices lie in a line: join them ({ $hole })

@@ -35,9 +35,9 @@ impl From<&TopologyError> for Message {
             TopologyError::NonManifoldVertex { vertex, fans, count } => {
                 key::topology_non_manifold_vertex(*count, *vertex, *fans)
             }
-            TopologyError::Components { triangles } => {
+            TopologyError::Components { triangles, first } => {
                 let sizes = listed(triangles, |size| size.to_string().into());
-                key::topology_components(triangles.len(), sizes)
+                key::topology_components(triangles.len(), sizes, *first)
             }
             TopologyError::Closed { genus } => key::topology_closed(*genus),
             TopologyError::NoLoop { asked, loops } => {
@@ -46,6 +46,12 @@ impl From<&TopologyError> for Message {
             TopologyError::Loops { loops } => key::topology_loops(loops.len(), listed(loops, |each| each.into())),
             TopologyError::FlatHole { hole, count } => key::topology_flat_hole(*count, Message::from(hole)),
             TopologyError::Genus { genus } => key::topology_genus(*genus),
+            TopologyError::Several { faults } => {
+                let numbered =
+                    (1..).zip(faults).map(|(k, fault): (usize, _)| key::topology_fault(k, Message::from(fault)));
+                let all = Message::joined(numbered, key::both_clauses).map_or_else(|| "".into(), Value::from);
+                key::topology_several(faults.len(), all)
+            }
         }
     }
 }

@@ -118,7 +118,7 @@ keys_of_messages! {
     topology_genus(genus); repair_dropped_triangles(count); repair_dropped_duplicates(count); repair_merged_vertices(count);
     repair_flipped_flat(count); repair_split_vertices(count); repair_joined(count); repair_oriented(count);
     repair_kept_largest(dropped, components); repair_dropped_vertices(count); surface_file_malformed(place, fault);
-    topology_components(count, sizes); topology_loops(count, loops); topology_no_loop(count, loops, asked); topology_flat_hole(count, hole);
+    topology_components(count, sizes, first); topology_several(count, faults); topology_fault(number, fault); topology_loops(count, loops); topology_no_loop(count, loops, asked); topology_flat_hole(count, hole);
     boundary_loop(length, vertices, first);
     repair_filled_hole(triangles); repair_filled_holes(holes, triangles); place_line(line); place_byte(offset);
     item_element(index, count); item_corner(index, count); item_vertex_property(name);

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::geometry::DVec3;
-use crate::mesh::VertexId;
+use crate::mesh::{TriangleId, VertexId};
 use crate::surface::{RepairNote, SurfaceMesh, SurfaceNote, TopologyError};
 
 /// The unit square at height 2 as two triangles; the corner (1, 0) is lifted to 2.5.
@@ -428,6 +428,22 @@ fn faces_with_two_corners_are_dropped_and_counted() {
     let surface = read_surface("a.obj", [OBJ, "f 1 2\nf 3\n"].concat().as_bytes()).unwrap();
     assert_eq!(surface.triangles.len(), 2);
     assert!(surface.notes.contains(&SurfaceNote::DroppedFaces { count: 2 }), "{:?}", surface.notes);
+}
+
+/// Every triangle of STL has corners of its own, which are merged: faults name them as the file counts them.
+#[test]
+fn faults_have_the_vertices_of_the_file() {
+    let corners = [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1], [0, 0], [0, 1], [0, 2]];
+    let facet = |corners: &[[i32; 2]]| {
+        let vertices = corners.iter().map(|[x, y]| format!("vertex {x} {y} 0\n")).collect::<Vec<_>>().concat();
+        format!("facet normal 0 0 1\nouter loop\n{vertices}endloop\nendfacet\n")
+    };
+    let text = format!("solid\n{}endsolid\n", corners.chunks(3).map(facet).collect::<Vec<_>>().concat());
+    let surface = read_surface("a.stl", text.as_bytes()).unwrap();
+    assert_eq!(surface.vertices.len(), 5);
+    let corners = [0, 5, 8].map(VertexId::new);
+    let flat = TopologyError::Degenerate { triangle: TriangleId::new(2), corners, count: 1 };
+    assert_eq!(SurfaceMesh::new(&surface).unwrap_err(), flat);
 }
 
 /// Coordinates that are no finite numbers matter only in triangles.
