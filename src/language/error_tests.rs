@@ -11,7 +11,7 @@ use crate::projection::{ProjectionError, Region};
 use crate::session::file::FileError;
 use crate::session::lesson::{LessonError, StepError};
 use crate::session::{Command, OutlineSpec, Session, file, link};
-use crate::surface::{SurfaceMesh, read_surface};
+use crate::surface::{SurfaceError, SurfaceMesh, read_surface};
 use serde_json::json;
 use std::fmt::Display;
 
@@ -248,6 +248,8 @@ fn files_that_are_no_surfaces() {
         check(&key::about(*name, message(&error)), false);
     }
     german_but_for_the_cause(&read_surface("a.gltf", b"{").unwrap_err());
+    let (triangles, vertices) = (9_000_000, 4_500_000);
+    german(&SurfaceError::TooMuchMemory { triangles, vertices, needed_mb: 5400, available_mb: 4000 });
 }
 
 #[test]

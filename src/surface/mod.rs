@@ -50,7 +50,7 @@ pub use note::{Place, SurfaceNote};
 pub use preset::{SurfacePreset, UnknownSurfacePreset};
 #[cfg(feature = "io")]
 pub use read::{
-    ENDINGS, Fault, Item, MAX_BYTES, MAX_TRIANGLES, SurfaceError, Unsupported, check_size, names_format, read_surface,
+    ENDINGS, Fault, Item, MAX_BYTES, SurfaceError, Unsupported, check_size, names_format, read_surface,
     read_surface_beside,
 };
 pub use repair::RepairNote;

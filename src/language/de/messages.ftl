@@ -200,7 +200,7 @@ not_converged = das iterative Verfahren ist nicht konvergiert: Sein relatives Re
 ## surface
 
 surface_file_too_large = die Datei hat { $bytes } Byte; Flächen bis { $limit } MiB lassen sich lesen
-surface_file_too_many_triangles = { $place }: mehr als { $limit } Dreiecke
+surface_file_too_much_memory = die Fläche hat { $triangles } Dreiecke und { $vertices } Ecken, die etwa { $needed } MB Speicher brauchen; verfügbar sind { $available } MB
 surface_file_unknown_format = „.{ $extension }“ ist kein bekanntes Flächenformat: obj, ply, stl, off, gltf, glb
 surface_file_not_a_number = { $place }: „{ $found }“ ist keine Zahl
 surface_file_missing = { $place }: { $what } fehlt

@@ -200,7 +200,7 @@ not_converged = the iterative solver did not converge: its relative residual is 
 ## surface
 
 surface_file_too_large = the file has { $bytes } bytes; surfaces up to { $limit } MiB can be read
-surface_file_too_many_triangles = { $place }: more than { $limit } triangles
+surface_file_too_much_memory = the surface has { $triangles } triangles and { $vertices } vertices, which take about { $needed } MB of memory; { $available } MB are available
 surface_file_unknown_format = ".{ $extension }" is no surface format that is known: obj, ply, stl, off, gltf, glb
 surface_file_not_a_number = { $place }: "{ $found }" is not a number
 surface_file_missing = { $place }: { $what } is missing

@@ -1,14 +1,14 @@
 //! Messages for files that are not surfaces, with the place of the error, and for changes made while reading one.
 
 use crate::language::{Message, key};
-use crate::surface::{Fault, Item, MAX_BYTES, MAX_TRIANGLES, Place, SurfaceError, SurfaceNote, Unsupported};
+use crate::surface::{Fault, Item, MAX_BYTES, Place, SurfaceError, SurfaceNote, Unsupported};
 
 impl From<&SurfaceError> for Message {
     fn from(error: &SurfaceError) -> Self {
         match error {
             SurfaceError::TooLarge { bytes } => key::surface_file_too_large(*bytes, MAX_BYTES >> 20),
-            SurfaceError::TooManyTriangles { place } => {
-                key::surface_file_too_many_triangles(Message::from(place), MAX_TRIANGLES)
+            SurfaceError::TooMuchMemory { triangles, vertices, needed_mb, available_mb } => {
+                key::surface_file_too_much_memory(*triangles, *vertices, *needed_mb, *available_mb)
             }
             SurfaceError::UnknownFormat { extension } => key::surface_file_unknown_format(extension.as_str()),
             SurfaceError::NotANumber { place, found } => {

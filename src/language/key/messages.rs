@@ -104,7 +104,7 @@ keys_of_messages! {
     laplace_structure(reason); laplace_degenerate(x, y); laplace_degenerate_at(vertex);
     laplace_not_positive_definite(vertex); laplace_too_large(unknowns, megabytes); not_converged(residual);
     // surface
-    surface_file_too_large(bytes, limit); surface_file_too_many_triangles(place, limit);
+    surface_file_too_large(bytes, limit); surface_file_too_much_memory(triangles, vertices, needed, available);
     surface_file_unknown_format(extension); surface_file_not_a_number(place, found);
     surface_file_missing(place, what);
     surface_file_index_out_of_range(vertices, place, index);

@@ -1,7 +1,8 @@
 //! Surfaces from files: OBJ, PLY, STL, OFF, glTF and GLB.
 //!
 //! The readers are our own and small: a surface needs positions and faces only. No input
-//! makes a reader panic, and readers access nothing but the given bytes. Crates considered instead:
+//! makes a reader panic, and readers access nothing but the given bytes, and the system's word on free memory where a
+//! surface is large. Crates considered instead:
 //!
 //! | crate | why not |
 //! |---|---|
@@ -18,6 +19,7 @@ mod glb;
 mod gltf;
 mod gltf_buffers;
 mod item;
+mod memory;
 mod obj;
 mod off;
 mod ply;
@@ -39,14 +41,11 @@ use text::lines;
 /// The largest accepted file size.
 pub const MAX_BYTES: usize = 512 << 20;
 
-/// The most triangles that a surface may have: their factor takes about 4 GB.
-pub const MAX_TRIANGLES: usize = 4_000_000;
-
 /// Reads a surface from a file's name and bytes.
 ///
 /// The extension decides the format (`obj`, `ply`, `stl`, `off`, `gltf`, `glb`); with any
 /// other, the first bytes do. Vertices that a program has split are merged (file `weld`). All objects of an OBJ file and the
-/// default scene of a glTF file are read. Cost O(bytes).
+/// default scene of a glTF file are read. Refused are surfaces that take more memory than there is. Cost O(bytes).
 pub fn read_surface(file_name: &str, bytes: &[u8]) -> Result<Surface, SurfaceError> {
     read_surface_beside(file_name, bytes, &mut |_| None)
 }

@@ -33,7 +33,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
         last = last.max(end);
     }
     faces.surplus = rest.next().map(|line| line.place());
-    Ok(faces.finish())
+    faces.finish()
 }
 
 /// Reads a face that begins on a line and may go on in `further` ones; the number of its last line.
@@ -43,7 +43,6 @@ fn read_face<'a>(
     faces: &mut Faces,
 ) -> Result<usize, SurfaceError> {
     let vertices = faces.vertices.len();
-    let first = line;
     let (mut line, mut words) = (line, line.words().collect::<Vec<_>>().into_iter());
     let wanted = line.count(&mut words, Item::CornerCount)?;
     let mut corners = Vec::new();
@@ -56,7 +55,7 @@ fn read_face<'a>(
             return Err(SurfaceError::missing(line.place(), Item::Corner { index: corners.len() + 1, count: wanted }));
         }
     }
-    faces.push(&corners, || first.place())?;
+    faces.push(&corners);
     Ok(line.number)
 }
 
@@ -146,7 +145,6 @@ fn read_binary(bytes: &[u8], keyword: &[u8]) -> Result<Surface, SurfaceError> {
     }
     let mut corners = Vec::new();
     for _ in 0..count {
-        let first = cursor.place();
         corners.clear();
         for index in 1..=whole(&mut cursor, Item::CornerCount)? {
             let place = cursor.place();
@@ -155,10 +153,10 @@ fn read_binary(bytes: &[u8], keyword: &[u8]) -> Result<Surface, SurfaceError> {
         }
         let colors = whole(&mut cursor, Item::OffNumber)?;
         cursor.skip(colors.saturating_mul(Scalar::F32.size()), Item::OffNumber)?;
-        faces.push(&corners, || first.clone())?;
+        faces.push(&corners);
     }
     faces.surplus = cursor.surplus();
-    Ok(faces.finish())
+    faces.finish()
 }
 
 /// The next number, a count.

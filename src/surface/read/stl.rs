@@ -29,7 +29,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     let beginning = &bytes[..bytes.len().min(HEADER)];
     let text = begins_as_text(beginning) && !is_binary(bytes) && !beginning.contains(&0);
     let faces = if text { read_text(bytes) } else { read_binary(bytes) }?;
-    Ok(faces.finish())
+    faces.finish()
 }
 
 fn read_binary(bytes: &[u8]) -> Result<Faces, SurfaceError> {
@@ -48,7 +48,7 @@ fn read_binary(bytes: &[u8]) -> Result<Faces, SurfaceError> {
             }
             faces.vertices.push(DVec3::from_array(point));
         }
-        faces.push(&[first, first + 1, first + 2], || cursor.place())?;
+        faces.push(&[first, first + 1, first + 2]);
         cursor.skip(2, Item::TriangleEnd)?;
     }
     faces.surplus = cursor.surplus();
@@ -69,7 +69,7 @@ fn read_text(bytes: &[u8]) -> Result<Faces, SurfaceError> {
                 faces.vertices.push(line.point(&mut words)?);
             }
             Some(b"endloop") => {
-                faces.push(&corners, || line.place())?;
+                faces.push(&corners);
                 corners.clear();
             }
             Some(b"solid") => is_open = true,
