@@ -11,7 +11,7 @@ use crate::projection::{ProjectionError, Region};
 use crate::session::file::FileError;
 use crate::session::lesson::{LessonError, StepError};
 use crate::session::{Command, OutlineSpec, Session, file, link};
-use crate::surface::{SurfaceError, SurfaceMesh, read_surface};
+use crate::surface::{SurfaceError, SurfaceMesh, SurfaceNote, read_surface};
 use serde_json::json;
 use std::fmt::Display;
 
@@ -295,6 +295,7 @@ fn surfaces_that_are_no_disks() {
     let longer = read_surface("a.off", b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n").unwrap();
     assert_eq!(longer.notes().len(), 1);
     longer.notes().iter().for_each(german);
+    german(&SurfaceNote::Unended);
 }
 
 #[test]

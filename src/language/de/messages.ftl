@@ -223,6 +223,7 @@ surface_note_dropped_faces = { $count ->
     [one] 1 Fläche mit weniger als 3 Ecken wurde weggelassen
    *[other] { $count } Flächen mit weniger als 3 Ecken wurden weggelassen
 }
+surface_note_unended = die letzte Zeile, endsolid, fehlt; wurde die Datei abgeschnitten, dann auch die Fläche
 surface_note_surplus = { $place }: Danach steht mehr, als die Datei nach eigener Angabe hat; es wurde übergangen
 topology_empty = die Fläche hat keine Dreiecke
 topology_index_out_of_range = { $vertices ->

@@ -223,6 +223,7 @@ surface_note_dropped_faces = { $count ->
     [one] 1 face with fewer than 3 corners was dropped
    *[other] { $count } faces with fewer than 3 corners were dropped
 }
+surface_note_unended = the last line, endsolid, is missing; if the file was cut off, so is the surface
 surface_note_surplus = { $place }: more follows than the file says it has; it was passed over
 topology_empty = the surface has no triangles
 topology_index_out_of_range = { $vertices ->

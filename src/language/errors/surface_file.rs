@@ -38,6 +38,7 @@ impl From<&SurfaceNote> for Message {
             SurfaceNote::Welded { before, after } => key::surface_note_welded(*before, *after),
             SurfaceNote::LeftApart { vertices } => key::surface_note_left_apart(*vertices),
             SurfaceNote::DroppedFaces { count } => key::surface_note_dropped_faces(*count),
+            SurfaceNote::Unended => key::surface_note_unended().into(),
             SurfaceNote::Surplus { place } => key::surface_note_surplus(Message::from(place)),
         }
     }

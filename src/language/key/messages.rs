@@ -21,7 +21,7 @@ keys_of_labels! {
     // mesh
     mesh_not_counter_clockwise, mesh_out_of_range,
     // surface
-    surface_file_no_triangles, topology_empty, item_glb_version, item_file_length, item_chunk_length, item_chunk_type,
+    surface_file_no_triangles, surface_note_unended, topology_empty, item_glb_version, item_file_length, item_chunk_length, item_chunk_type,
     item_json_chunk, item_default_scene, item_node, item_position, item_data, item_accessor, item_buffer_view,
     item_buffer, item_viewed_data, item_vertex, item_face, item_corner_count, item_off_keyword, item_off_number, item_vertex_count,
     item_face_count, item_list_length, item_property, item_list, item_vertex_coordinate, item_face_property,

@@ -24,6 +24,8 @@ pub(super) struct Faces {
     available: Option<u64>,
     /// The number of faces with fewer than three corners, which are dropped.
     dropped: usize,
+    /// Whether the line that ends the surface is missing.
+    pub is_unended: bool,
     /// Where the file continues after everything that its counts announce.
     pub surplus: Option<Place>,
 }
@@ -80,7 +82,7 @@ impl Faces {
     /// The surface, with polygons cut into triangles. Errors: it does not fit into memory.
     pub(super) fn finish(mut self) -> Result<Surface, SurfaceError> {
         self.check_memory()?;
-        let Self { vertices, corners, ends, triangles: count, dropped, surplus, .. } = self;
+        let Self { vertices, corners, ends, triangles: count, dropped, is_unended, surplus, .. } = self;
         let (faces, mut triangles, mut polygons, mut start) = (ends.len(), Vec::with_capacity(count), 0, 0);
         for end in ends {
             match &corners[start..end as usize] {
@@ -95,7 +97,8 @@ impl Faces {
         let cut = (polygons > 0).then_some(SurfaceNote::Triangulated { polygons, faces });
         let dropped = (dropped > 0).then_some(SurfaceNote::DroppedFaces { count: dropped });
         let surplus = surplus.map(|place| SurfaceNote::Surplus { place });
-        let notes = cut.into_iter().chain(dropped).chain(surplus).collect();
+        let unended = is_unended.then_some(SurfaceNote::Unended);
+        let notes = cut.into_iter().chain(dropped).chain(unended).chain(surplus).collect();
         Ok(Surface::new(vertices, triangles).with_notes(notes))
     }
 }

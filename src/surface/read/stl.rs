@@ -55,11 +55,12 @@ fn read_binary(bytes: &[u8]) -> Result<Faces, SurfaceError> {
     Ok(faces)
 }
 
-/// Reads `vertex x y z` between `outer loop` and `endloop`; all other words are skipped.
+/// Reads `vertex x y z` between `outer loop` and `endloop`; all other words are skipped, whatever the number of solids. Some
+/// programs leave out `endsolid`.
 fn read_text(bytes: &[u8]) -> Result<Faces, SurfaceError> {
     let mut faces = Faces::default();
     let mut corners = Vec::new();
-    let (mut last, mut is_open) = (1, false);
+    let mut last = 1;
     for line in lines(bytes) {
         last = line.number;
         let mut words = line.words();
@@ -72,14 +73,13 @@ fn read_text(bytes: &[u8]) -> Result<Faces, SurfaceError> {
                 faces.push(&corners);
                 corners.clear();
             }
-            Some(b"solid") => is_open = true,
-            Some(b"endsolid") => is_open = false,
+            Some(b"solid") => faces.is_unended = true,
+            Some(b"endsolid") => faces.is_unended = false,
             _ => {}
         }
     }
-    match (corners.is_empty(), is_open) {
-        (true, false) => Ok(faces),
-        (false, _) => Err(SurfaceError::missing(Place::Line(last), Item::Keyword("endloop"))),
-        (true, true) => Err(SurfaceError::missing(Place::Line(last), Item::Keyword("endsolid"))),
+    if corners.is_empty() {
+        return Ok(faces);
     }
+    Err(SurfaceError::missing(Place::Line(last), Item::Keyword("endloop")))
 }

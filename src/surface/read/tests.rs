@@ -302,13 +302,25 @@ fn marks_and_comments_before_the_first_vertex_take_nothing_away() {
 }
 
 #[test]
-fn a_text_stl_is_told_by_its_first_word_and_ends_with_its_last() {
+fn a_text_stl_is_told_by_its_first_word_and_may_lack_its_last() {
     let facet = "FACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\n";
     let whole = format!("SOLID a\n{facet}ENDSOLID a\n");
     assert_eq!(read_surface("a.stl", whole.as_bytes()).unwrap().triangles.len(), 1);
     assert_eq!(read_surface("a", whole.as_bytes()).unwrap().triangles.len(), 1);
-    let error = read_surface("a.stl", format!("solid a\n{facet}").as_bytes()).unwrap_err();
-    assert!(error.to_string().contains("endsolid"), "{error}");
+    assert!(read_surface("a.stl", whole.as_bytes()).unwrap().notes.is_empty());
+    for head in ["SOLID\n", "solid\n", "  Solid # 1\r\n", "solid solid endsolid\n"] {
+        for end in ["", "endsol", "\n\n"] {
+            let surface = read_surface("a.stl", [head, facet, end].concat().as_bytes()).unwrap();
+            assert_eq!((surface.triangles.len(), &*surface.notes), (1, &[SurfaceNote::Unended][..]), "{head}, {end}");
+        }
+    }
+    let second = facet.replace("VERTEX 0 0 0", "VERTEX 1 1 0").replace("1 0 0\nVERTEX 0 1 0", "0 1 0\nVERTEX 1 0 0");
+    let several = format!("solid a\n{facet}endsolid a\n\nsolid\n{second}ENDSOLID\n");
+    let surface = read_surface("a.stl", several.as_bytes()).unwrap();
+    assert_eq!((surface.vertices.len(), surface.triangles.len()), (4, 2));
+    assert!(SurfaceMesh::new(&surface).is_ok());
+    let cut = ["solid\n", &facet.replace("ENDLOOP\nENDFACET\n", "")].concat();
+    assert!(read_surface("a.stl", cut.as_bytes()).unwrap_err().to_string().contains("endloop"));
 }
 
 /// The square in three formats whose lines may end in any way.
