@@ -2,15 +2,15 @@
 //!
 //! Corners of a triangle at one place are merged; triangles that name a vertex twice are dropped, and those with the corners
 //! of an earlier one; the component with the most triangles is kept, so that faults of others do not matter; the rest is
-//! oriented consistently, as most of its triangles are; flat triangles have their longest edge flipped; vertices that join
-//! fans of triangles are split; vertices in no triangle are dropped; all boundary loops but one, unless asked otherwise the
-//! longest, are filled, or joined if they have no area. Faults whose repair would need a guess (edges of three triangles)
-//! stay errors.
+//! oriented consistently, as most of its triangles are; flat triangles have their longest edge flipped; gaps without area that
+//! reach the boundary are joined; vertices that join fans of triangles are split; vertices in no triangle are dropped; all
+//! boundary loops but one, unless asked otherwise the longest, are filled, or joined if they have no area. Faults whose repair
+//! would need a guess (edges of three triangles) stay errors.
 
 use super::duplicates::duplicates;
 use super::edges::EdgeTable;
 use super::fill::fill_holes;
-use super::mend::{flip_flat, join_flat, merge_coincident, split_pinched};
+use super::mend::{flip_flat, join_flat, join_open, merge_coincident, split_pinched};
 use super::orient::turned;
 use super::survey::{check_edges, check_values, components, connectivity, largest, repeats, report};
 use super::{LoopReport, Surface, TopologyError};
@@ -197,6 +197,7 @@ fn mend(repaired: &mut Repaired, outline: usize) -> Result<(), TopologyError> {
     keep_largest(repaired);
     orient(repaired)?;
     flip_flat(repaired);
+    join_open(repaired);
     split_pinched(repaired);
     drop_unreferenced(repaired);
     let mut loops = connectivity(&repaired.surface)?.loops;
