@@ -1,7 +1,7 @@
 //! Collects vertices and faces; cuts polygons into triangles after all vertices are read.
 
-use super::polygon::triangulate;
 use super::memory::{ALWAYS, BYTES_PER_TRIANGLE, BYTES_PER_VERTEX, available};
+use super::polygon::triangulate;
 use super::{Place, SurfaceError};
 use crate::geometry::DVec3;
 use crate::surface::{Surface, SurfaceNote};
@@ -10,6 +10,16 @@ use crate::surface::{Surface, SurfaceNote};
 pub(super) fn vertex_of(index: i64, vertices: usize, place: impl Fn() -> Place) -> Result<u32, SurfaceError> {
     let vertex = u32::try_from(index).ok().filter(|&vertex| (vertex as usize) < vertices);
     vertex.ok_or_else(|| SurfaceError::IndexOutOfRange { place: place(), index, vertices })
+}
+
+/// The corners without those that are the same as the one before, around the polygon.
+fn distinct(corners: &[u32]) -> Vec<u32> {
+    let mut distinct = corners.to_vec();
+    distinct.dedup();
+    while distinct.len() > 1 && distinct.first() == distinct.last() {
+        distinct.pop();
+    }
+    distinct
 }
 
 /// The vertices and faces read so far.
@@ -31,9 +41,18 @@ pub(super) struct Faces {
 }
 
 impl Faces {
-    /// Adds a face; its indices are checked by the caller. One with fewer than three corners is dropped. What does not fit into
-    /// memory is only counted.
+    /// Adds a face; its indices are checked by the caller. One with fewer than three corners is dropped. A polygon's corners
+    /// that repeat the one before are left out. What does not fit into memory is only counted.
     pub(super) fn push(&mut self, corners: &[u32]) {
+        if corners.len() > 3 && (corners.first() == corners.last() || corners.windows(2).any(|pair| pair[0] == pair[1]))
+        {
+            self.push_distinct(&distinct(corners));
+        } else {
+            self.push_distinct(corners);
+        }
+    }
+
+    fn push_distinct(&mut self, corners: &[u32]) {
         if corners.len() < 3 {
             self.dropped += 1;
             return;
@@ -109,7 +128,8 @@ mod tests {
 
     #[test]
     fn what_does_not_fit_into_memory_is_counted_and_refused_with_the_numbers() {
-        let with = |available: u64| Faces { vertices: vec![DVec3::ZERO; 3], available: Some(available), ..Faces::default() };
+        let with =
+            |available: u64| Faces { vertices: vec![DVec3::ZERO; 3], available: Some(available), ..Faces::default() };
         let mut few = with(0);
         (0..1_000_000).for_each(|_| few.push(&[0, 1, 2]));
         assert_eq!(few.finish().map(|surface| surface.triangles().len()), Ok(1_000_000));

@@ -9,6 +9,7 @@ use super::gltf_buffers::Buffers;
 use super::{Fault, Item, Neighbor, Place, SurfaceError, Unsupported};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
+use crate::surface::survey::repeats;
 use glam::{DMat4, DQuat};
 use serde::Deserialize;
 
@@ -212,7 +213,10 @@ fn read_primitive(
     let mirrored = transform.determinant() < 0.0;
     let mut push = |a: usize, b: usize, c: usize| {
         let [a, b, c] = [a, b, c].map(|k| first as u32 + indices[k]);
-        faces.push(&if mirrored { [a, c, b] } else { [a, b, c] });
+        // strips repeat corners to go on elsewhere
+        if mode == 4 || !repeats(&[a, b, c]) {
+            faces.push(&if mirrored { [a, c, b] } else { [a, b, c] });
+        }
     };
     let count = indices.len();
     match mode {

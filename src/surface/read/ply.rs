@@ -7,6 +7,7 @@
 use super::faces::{Faces, vertex_of};
 use super::ply_header::{Body, Element, Encoding, Header, Property, Shape, header};
 use super::scalar::{Cursor, Scalar};
+use super::text::{number, shown};
 use super::{Fault, Item, Place, SurfaceError};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
@@ -130,8 +131,7 @@ impl<'a> Numbers<'a> {
                 if word.is_empty() {
                     return Err(SurfaceError::missing(place, what));
                 }
-                let number = std::str::from_utf8(word).ok().and_then(|text| text.parse().ok());
-                number.ok_or_else(|| SurfaceError::NotANumber { place, found: super::text::shown(word) })
+                number(word).ok_or_else(|| SurfaceError::NotANumber { place, found: shown(word) })
             }
         }
     }

@@ -8,7 +8,7 @@ use crate::geometry::DVec3;
 use crate::surface::Surface;
 
 /// 80 bytes without meaning, and the number of triangles.
-const HEADER: usize = 84;
+pub(super) const HEADER: usize = 84;
 /// Normal and three corners of 12 bytes each, and two bytes without meaning.
 const RECORD: usize = 50;
 
@@ -34,7 +34,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
 
 fn read_binary(bytes: &[u8]) -> Result<Faces, SurfaceError> {
     let mut cursor = Cursor { bytes, offset: 80, big_endian: false };
-    let count = cursor.number(Scalar::U32, Item::TriangleCount)? as usize;
+    let stated = cursor.number(Scalar::U32, Item::TriangleCount)? as u32;
+    // programs that do not know the number beforehand leave a placeholder
+    let count = if matches!(stated, 0 | u32::MAX) { (bytes.len() - HEADER) / RECORD } else { stated as usize };
     let mut faces = Faces::default();
     for triangle in 0..count {
         cursor.skip(12, Item::TriangleNormal)?;

@@ -45,6 +45,14 @@ fn the_first_bytes_decide_where_the_extension_does_not() {
             assert!(read_surface("surface", off.as_bytes()).is_ok(), "{before}{keyword}");
         }
     }
+    // and where the extension is wrong
+    for (name, bytes) in files() {
+        let surface = read_surface(name, &bytes);
+        // binary data of that name are binary STL, whatever words they begin with
+        for other in ENDINGS.into_iter().filter(|other| *other != "stl" || name != "b.off") {
+            assert_eq!(read_surface(&format!("a.{other}"), &bytes), surface, "{name} as {other}");
+        }
+    }
     let unknown = read_surface("a.step", b"ISO-10303").unwrap_err();
     assert_eq!(unknown, SurfaceError::UnknownFormat { extension: "step".to_owned() });
 }
@@ -203,10 +211,13 @@ fn what_follows_after_all_that_was_counted_is_told() {
 
 #[test]
 fn text_in_utf16_is_read() {
-    let plain = read_surface("a.obj", OBJ.as_bytes()).unwrap();
-    for encode in [u16::to_le_bytes, u16::to_be_bytes] {
-        let bytes: Vec<u8> = ['\u{feff}'.to_string(), OBJ.into()].concat().encode_utf16().flat_map(encode).collect();
-        assert_eq!(read_surface("a.obj", &bytes), Ok(plain.clone()));
+    for (name, text) in texts() {
+        let plain = read_surface(name, text.as_bytes()).unwrap();
+        for encode in [u16::to_le_bytes, u16::to_be_bytes] {
+            let bytes: Vec<u8> = format!("\u{feff}{text}").encode_utf16().flat_map(encode).collect();
+            assert_eq!(read_surface(name, &bytes), Ok(plain.clone()), "{name}");
+            assert_eq!(read_surface("surface", &bytes), Ok(plain.clone()), "{name}");
+        }
     }
 }
 

@@ -54,3 +54,54 @@ fn quantized_and_sparse_positions_are_read() {
     let beyond = document(&sparse.replace("\"count\": 3", "\"count\": 2"));
     assert!(read_surface("a.gltf", beyond.as_bytes()).unwrap_err().to_string().contains("accessors[0]"));
 }
+
+/// A grid of 4 × 3 vertices with normals between their positions, in a buffer with these indices at its end.
+fn grid(primitive: &str, indices: &[u8]) -> Surface {
+    use base64::Engine as _;
+    let vertices = (0..12_u8).flat_map(|k| [k % 4, k / 4, k % 4 * (k / 4), 0, 0, 1]).map(f32::from);
+    let buffer: Vec<u8> = vertices.flat_map(f32::to_le_bytes).chain(indices.iter().copied()).collect();
+    let data = base64::engine::general_purpose::STANDARD.encode(&buffer);
+    let count = indices.len();
+    let document = format!(
+        r#"{{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0}}], "meshes": [{{"primitives": [{{
+            "attributes": {{"POSITION": 0, "NORMAL": 1}}, "indices": 2 {primitive}}}]}}], "accessors": [
+            {{"bufferView": 0, "componentType": 5126, "count": 12, "type": "VEC3"}},
+            {{"bufferView": 0, "byteOffset": 12, "componentType": 5126, "count": 12, "type": "VEC3"}},
+            {{"bufferView": 1, "componentType": 5121, "count": {count}, "type": "SCALAR"}}],
+            "bufferViews": [{{"buffer": 0, "byteLength": 288, "byteStride": 24}},
+                            {{"buffer": 0, "byteOffset": 288, "byteLength": {count}}}],
+            "buffers": [{{"byteLength": {}, "uri": "data:application/gltf-buffer;base64,{data}"}}]}}"#,
+        buffer.len()
+    );
+    read_surface("a.gltf", document.as_bytes()).unwrap()
+}
+
+#[test]
+fn positions_between_normals_and_indices_of_one_byte_are_read() {
+    let surface = grid("", &[0, 1, 5, 0, 5, 4]);
+    assert_eq!(surface.triangles, [[0, 1, 5], [0, 5, 4]]);
+    assert_eq!(surface.vertices[6], DVec3::new(2.0, 1.0, 2.0));
+}
+
+#[test]
+fn strips_go_on_elsewhere_by_repeated_corners_and_fans_turn_about_their_first() {
+    let strips = grid(r#", "mode": 5"#, &[0, 4, 1, 5, 2, 6, 3, 7, 7, 4, 4, 8, 5, 9, 6, 10, 7, 11]);
+    let disk = SurfaceMesh::new(&strips).unwrap();
+    assert_eq!((disk.mesh().triangles().len(), disk.mesh().vertices().len()), (12, 12));
+    let fan = grid(r#", "mode": 6"#, &[5, 0, 1, 2, 6, 10, 9, 8, 4, 0]);
+    let disk = SurfaceMesh::new(&fan).unwrap();
+    assert_eq!((disk.mesh().triangles().len(), disk.mesh().boundary_count()), (8, 8));
+    assert_eq!(disk.repairs(), [RepairNote::DroppedVertices { count: 3 }]);
+}
+
+#[test]
+fn binary_files_may_be_filled_up_with_zeros() {
+    let plain = read_surface("a.glb", &samples::glb()).unwrap();
+    let longer = [samples::glb(), vec![0, 0]].concat();
+    assert_eq!(read_surface("a.glb", &longer).unwrap(), plain);
+    let mut filled = samples::glb();
+    let blank = filled.windows(8).position(|end| end.ends_with(b"BIN\0")).unwrap() - 1;
+    assert_eq!(filled[blank], b' ');
+    filled[blank] = 0;
+    assert_eq!(read_surface("a.glb", &filled).unwrap(), plain);
+}

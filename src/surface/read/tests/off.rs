@@ -35,3 +35,13 @@ fn faces_of_off_go_on_in_the_next_lines() {
     let broken = OFF.replace("3 0 1 2\n3 0 2 3 255\n", "3\n0 1 2\n3 0\n2 3 255\n");
     assert_eq!(read_surface("a.off", broken.as_bytes()).unwrap(), plain);
 }
+
+#[test]
+fn comments_and_colors_may_stand_everywhere() {
+    let plain = read_surface("a.off", OFF.as_bytes()).unwrap();
+    let vertices = "0 0 2 9 9 9 # a\n\n1 0 2.5 8 8 8\n# b\n1 1 2 1 1 1\n0 1 2 0 0 0 # c\n";
+    for faces in ["3 0 1 2 # d\n\n3 0 2 3 0.5 0.5 0.5 1\n# e\n", "3 0 1 2 3 255 0 0\n3 0 2 3\n"] {
+        let text = format!("# before\nCOFF # d\n# counts\n4 2 0 # e\n{vertices}# faces\n{faces}");
+        assert_eq!(read_surface("a.off", text.as_bytes()).unwrap(), plain, "{faces}");
+    }
+}

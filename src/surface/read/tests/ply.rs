@@ -48,3 +48,21 @@ fn rows_of_ply_may_be_longer_than_their_properties_and_stand_on_several_lines_or
         assert_eq!((surface.vertices, surface.triangles), (plain.vertices.clone(), plain.triangles.clone()));
     }
 }
+
+/// Quadrilaterals, after another list; the header's lines end as on Windows.
+#[test]
+fn polygons_of_binary_files_may_follow_other_lists() {
+    let plain = read_surface("a.obj", OBJ.replace("f 1/1 2/1 3/1\nf -4// -2 -1", "f 1 2 3 4").as_bytes()).unwrap();
+    let head = "ply\r\nformat binary_big_endian 1.0\r\ncomment end_header follows\r\nelement vertex 4\r\n\
+                property double x\r\nproperty double y\r\nproperty double z\r\nelement face 1\r\n\
+                property list uchar float texcoord\r\nproperty list int ushort vertex_index\r\n\
+                property uchar flags\r\nend_header\r\n";
+    let mut bytes = head.as_bytes().to_vec();
+    bytes.extend(corners().as_flattened().iter().flat_map(|&x| f64::from(x).to_be_bytes()));
+    bytes.push(1);
+    bytes.extend(0.5_f32.to_be_bytes());
+    bytes.extend(4_i32.to_be_bytes());
+    bytes.extend([0_u16, 1, 2, 3].iter().flat_map(|v| v.to_be_bytes()));
+    bytes.push(7);
+    assert_eq!(read_surface("a.ply", &bytes).unwrap(), plain);
+}

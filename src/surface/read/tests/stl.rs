@@ -39,3 +39,38 @@ fn faults_have_the_vertices_of_the_file() {
     let flat = TopologyError::Degenerate { triangle: TriangleId::new(2), corners, count: 1 };
     assert_eq!(SurfaceMesh::new(&surface).unwrap_err(), flat);
 }
+
+/// The corners of the faces of a cube without its top, two triangles for each.
+fn open_cube() -> Vec<[[u8; 3]; 3]> {
+    let corner = |k: u8| [k & 1, k >> 1 & 1, k >> 2];
+    let faces = [[0, 2, 3, 1], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];
+    faces.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).map(|t: [u8; 3]| t.map(corner)).collect()
+}
+
+#[test]
+fn a_cube_without_its_top_is_a_disk() {
+    let facet = |corners: [[u8; 3]; 3]| {
+        let vertex = |[x, y, z]: [u8; 3]| format!("      vertex {x}.000000e+00 {y}.0E-00 +{z}.\n");
+        format!("  facet normal 0 0 0\n    outer loop\n{}    endloop\n  endfacet\n", corners.map(vertex).concat())
+    };
+    let text = format!("solid \n{}endsolid \n", open_cube().into_iter().map(facet).collect::<Vec<_>>().concat());
+    for text in [text.clone(), text.to_uppercase()] {
+        let surface = read_surface("cube.stl", text.as_bytes()).unwrap();
+        let disk = SurfaceMesh::new(&surface).unwrap();
+        assert_eq!((disk.mesh().vertices().len(), disk.mesh().triangles().len()), (8, 10));
+    }
+}
+
+#[test]
+fn the_number_of_triangles_of_a_binary_file_may_be_a_placeholder() {
+    let plain = read_surface("a.stl", &binary_stl()).unwrap();
+    for placeholder in [0, u32::MAX] {
+        let mut other = binary_stl();
+        other[80..84].copy_from_slice(&placeholder.to_le_bytes());
+        assert_eq!(read_surface("a.stl", &other).unwrap(), plain, "{placeholder}");
+    }
+    let mut more = binary_stl();
+    more[80] = 3;
+    let expected = SurfaceError::missing(Place::Byte(184), Item::TriangleNormal);
+    assert_eq!(read_surface("a.stl", &more).unwrap_err(), expected);
+}
