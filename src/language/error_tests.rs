@@ -11,7 +11,7 @@ use crate::projection::{ProjectionError, Region};
 use crate::session::file::FileError;
 use crate::session::lesson::{LessonError, StepError};
 use crate::session::{Command, OutlineSpec, Session, file, link};
-use crate::surface::{SurfaceMesh, read_surface};
+use crate::surface::{SurfaceError, SurfaceMesh, SurfaceNote, read_surface};
 use serde_json::json;
 use std::fmt::Display;
 
@@ -204,7 +204,6 @@ fn files_that_are_no_surfaces() {
     let files = [
         ("a.obj", "v 0 0\n".into()),
         ("a.obj", "v 0 0 x\n".into()),
-        ("a.obj", "v 0 0 inf\n".into()),
         ("a.obj", "v 0 0 0\nf 1 2 3\n".into()),
         ("a.obj", "v 0 0 0\nf 1 1\n".into()),
         ("a.off", "OFF\n-3 1 0\n".into()),
@@ -251,6 +250,8 @@ fn files_that_are_no_surfaces() {
         check(&key::about(*name, message(&error)), false);
     }
     german_but_for_the_cause(&read_surface("a.gltf", b"{").unwrap_err());
+    let (triangles, vertices) = (9_000_000, 4_500_000);
+    german(&SurfaceError::TooMuchMemory { triangles, vertices, needed_mb: 5400, available_mb: 4000 });
 }
 
 #[test]
@@ -264,7 +265,7 @@ fn surfaces_that_are_no_disks() {
         (square, "f 1 2 3\nf 1 3 4\nf 2 1 3\n"),
         ("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\n", "f 1 2 3\nf 1 2 4\nf 2 1 5\n"),
         (square, "f 1 2 3\nf 1 4 3\n"),
-        (square, "f 1 2 3\n"),
+        ("v 0 0 0\nv nan 0 0\nv 0 inf 0\n", "f 1 2 3\n"),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\n", "f 1 2 3\nf 4 5 6\n"),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\n", "f 1 2 3\nf 1 4 5\n"),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n", "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"),
@@ -272,6 +273,8 @@ fn surfaces_that_are_no_disks() {
             "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 1 1 0\nv 3 1 0\nv 1 3 0\n",
             "f 1 2 5\nf 1 5 4\nf 2 3 6\nf 2 6 5\nf 3 1 4\nf 3 4 6\n",
         ),
+        // three kinds
+        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 7 0 0\n", "f 1 2 3\nf 1 2 2\nf 4 5 6\n"),
     ];
     for (vertices, faces) in surfaces {
         let surface = read_surface("a.obj", format!("{vertices}{faces}").as_bytes()).unwrap();
@@ -294,6 +297,7 @@ fn surfaces_that_are_no_disks() {
     let longer = read_surface("a.off", b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n").unwrap();
     assert_eq!(longer.notes().len(), 1);
     longer.notes().iter().for_each(german);
+    german(&SurfaceNote::Unended);
 }
 
 #[test]
@@ -418,7 +422,7 @@ fn counts_of_one() {
                 count,
             }),
             message(&TopologyError::NonManifoldVertex { vertex: VertexId::new(4), fans: 3, count }),
-            message(&TopologyError::Unreferenced { vertex: VertexId::new(4), count }),
+            message(&TopologyError::NotFinite { vertex: VertexId::new(4), count }),
             message(&TopologyError::Genus { genus: count }),
             message(&RepairNote::DroppedTriangles { count }),
             message(&RepairNote::DroppedDuplicates { count }),

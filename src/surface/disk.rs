@@ -1,8 +1,9 @@
 //! A surface that is a disk, numbered as the map needs it: boundary loop first, interior after.
 
+use super::diagnosis::disk_connectivity;
 use super::edges::NO_TWIN;
-use super::repair::{ADDED, RepairNote, Repaired, repair};
-use super::survey::connectivity;
+use super::repair::{ADDED, RepairNote, Repaired, drop_unreferenced, repair};
+use super::survey::{check_indices, is_sound};
 use super::{Surface, TopologyError};
 use crate::geometry::DVec3;
 use crate::mesh::{BarycentricPoint, NO_TRIANGLE, TriMesh, TriangleId, VertexId};
@@ -21,14 +22,18 @@ pub struct SurfaceMesh {
     repairs: Vec<RepairNote>,
     /// For each vertex of the surface its number here, or [`ADDED`] if it was dropped.
     numbers: Vec<u32>,
-    /// The positions of the dropped vertices, in the surface's order.
+    /// The positions of the dropped vertices, in the surface's order; that of the first vertex for those without a finite one.
     dropped: Vec<DVec3>,
 }
 
 impl SurfaceMesh {
-    /// The surface unchanged; an error if it is not a disk. Cost O(n log d).
+    /// The surface with its triangles unchanged; an error with all faults if it is not a disk. Vertices in no triangle are
+    /// dropped with a note, wherever they are. Cost O(n log d).
     pub fn new(surface: &Surface) -> Result<Self, TopologyError> {
-        Self::ordered(Repaired::untouched(surface.clone()), &surface.vertices)
+        check_indices(surface)?;
+        let mut used = Repaired::untouched(surface.clone());
+        drop_unreferenced(&mut used);
+        Self::ordered(used, &surface.vertices).map_err(|fault| surface.in_file(fault))
     }
 
     /// The surface after all safe repairs that it needs; [`Self::repairs`] lists them.
@@ -39,7 +44,8 @@ impl SurfaceMesh {
     /// As [`Self::repaired`], with the boundary loop number `outline`, counted from 0 by falling length, as the boundary;
     /// the others are filled. Errors: there is no such loop.
     pub fn repaired_around(surface: &Surface, outline: usize) -> Result<Self, TopologyError> {
-        Self::ordered(repair(surface.clone(), outline)?, &surface.vertices)
+        let repaired = repair(surface.clone(), outline).and_then(|repaired| Self::ordered(repaired, &surface.vertices));
+        repaired.map_err(|fault| surface.in_file(fault))
     }
 
     /// The mesh.
@@ -104,10 +110,9 @@ impl SurfaceMesh {
     }
 
     fn ordered(repaired: Repaired, before: &[DVec3]) -> Result<Self, TopologyError> {
+        let found = disk_connectivity(&repaired)?;
         let Repaired { surface, vertex_origins, triangle_origins, split, notes: repairs } = repaired;
         let before = [before, &split].concat();
-        let found = connectivity(&surface)?;
-        found.check_disk(&surface)?;
         let boundary = found.loops.first().map(Vec::as_slice).unwrap_or_default();
         let mut is_on_boundary = vec![false; surface.vertices.len()];
         for &v in boundary {
@@ -129,7 +134,8 @@ impl SurfaceMesh {
         let vertex_origins: Vec<u32> = order.iter().map(|&v| vertex_origins[v as usize]).collect();
         let numbers = numbers_of(&vertex_origins, before.len());
         let is_dropped = |(_, number): &(&DVec3, &u32)| **number == ADDED;
-        let dropped = before.iter().zip(&numbers).filter(is_dropped).map(|(&position, _)| position).collect();
+        let finite = |(&position, _)| if is_sound(position) { position } else { mesh.vertices()[0] };
+        let dropped = before.iter().zip(&numbers).filter(is_dropped).map(finite).collect();
         Ok(Self { mesh, vertex_origins, triangle_origins, repairs, numbers, dropped })
     }
 

@@ -1,8 +1,8 @@
-//! All places on account of which a surface is no disk, for a picture; the error names the first one.
+//! All places on account of which a surface is no disk, for a picture; the error names the first one of each kind.
 
 use super::duplicates::duplicates;
 use super::edges::{EdgeTable, NO_TWIN, ends};
-use super::survey::{components, disoriented, fans, is_flat, repeats};
+use super::survey::{components, disoriented, fans, has_no_area, largest, repeats};
 use super::{Surface, TopologyError};
 
 /// Faulty edges and vertices, as indices of vertices.
@@ -11,7 +11,7 @@ pub struct Faults {
     /// Edges: those with more than two triangles, between triangles of different orientation, of triangles that have no
     /// area or are there twice, of loops, and of all components but the largest.
     pub edges: Vec<[u32; 2]>,
-    /// Vertices: those that join parts without a common edge, or are in no triangle.
+    /// Vertices: those that join parts without a common edge.
     pub vertices: Vec<u32>,
 }
 
@@ -23,7 +23,7 @@ impl TopologyError {
     pub fn places(&self, surface: &Surface) -> Faults {
         match self {
             Self::RepeatedCorner { .. } => of_triangles(surface, repeats),
-            Self::Degenerate { .. } => of_triangles(surface, |t| is_flat(t.map(|v| surface.vertices[v as usize]))),
+            Self::Degenerate { .. } => of_triangles(surface, |corners| has_no_area(surface, corners)),
             Self::OneSided { triangle } => of_list(surface, [triangle.index()]),
             Self::Duplicates { .. } => {
                 let found = duplicates(&surface.triangles, &table(surface));
@@ -44,14 +44,14 @@ impl TopologyError {
                 of_edges(boundary.map(|(half, _)| ends(&surface.triangles, half)))
             }
             Self::NonManifoldVertex { .. } => {
-                let fans = fans(&surface.triangles, &table(surface).twins(), surface.vertices.len());
+                let edges = table(surface);
+                let fans = fans(&surface.triangles, &edges, &edges.twins(), surface.vertices.len());
                 of_vertices((0..).zip(fans).filter(|(_, fans)| *fans > 1).map(|(v, _)| v))
             }
             Self::Components { .. } => outside_of_largest(surface),
-            Self::Unreferenced { .. } => {
-                let mut used = vec![false; surface.vertices.len()];
-                surface.triangles.iter().flatten().for_each(|&v| used[v as usize] = true);
-                of_vertices((0..).zip(used).filter(|(_, used)| !used).map(|(v, _)| v))
+            Self::Several { faults } => {
+                let all = faults.iter().map(|fault| fault.places(surface));
+                all.reduce(Faults::and).unwrap_or_default()
             }
             Self::Empty
             | Self::IndexOutOfRange { .. }
@@ -61,6 +61,15 @@ impl TopologyError {
             | Self::FlatHole { .. }
             | Self::Genus { .. } => Faults::default(),
         }
+    }
+}
+
+impl Faults {
+    /// These places and then `others`.
+    fn and(mut self, others: Self) -> Self {
+        self.edges.extend(others.edges);
+        self.vertices.extend(others.vertices);
+        self
     }
 }
 
@@ -89,8 +98,8 @@ fn of_triangles(surface: &Surface, is_wrong: impl Fn(&[u32; 3]) -> bool) -> Faul
 /// The edges of all components but the largest.
 fn outside_of_largest(surface: &Surface) -> Faults {
     let (component, sizes) = components(&table(surface), surface.triangles.len());
-    let largest = (0_u32..).zip(&sizes).max_by_key(|(_, size)| **size).map(|(number, _)| number);
-    of_list(surface, (0..component.len()).filter(|&t| Some(component[t]) != largest))
+    let largest = largest(&sizes);
+    of_list(surface, (0..component.len()).filter(|&t| component[t] as usize != largest))
 }
 
 #[cfg(test)]
@@ -115,7 +124,6 @@ mod tests {
         let turned = faults(4, &[[0, 1, 2], [0, 1, 3]]);
         assert_eq!(turned.edges, [[0, 1]]);
         assert_eq!(faults(5, &[[0, 1, 2], [0, 3, 4]]).vertices, [0]);
-        assert_eq!(faults(4, &[[0, 1, 2]]).vertices, [3]);
         let apart = faults(7, &[[0, 1, 2], [0, 2, 3], [4, 5, 6]]);
         assert_eq!(apart.edges, [[5, 6], [6, 4], [4, 5]]);
         let twice = faults(3, &[[0, 1, 2], [0, 1, 2]]);

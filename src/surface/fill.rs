@@ -7,13 +7,12 @@
 //! long for that. A loop that bounds no area, such as a slit whose vertices lie in a line, has no filling: that is an error
 //! which names it.
 
+use super::TopologyError;
 use super::edges::ends;
 use super::flat_filling::flat_filling;
 use super::repair::{ADDED, RepairNote, Repaired};
 use super::survey::{is_flat, report};
-use super::{LoopReport, TopologyError};
 use crate::geometry::DVec3;
-use crate::mesh::VertexId;
 
 /// The most vertices of a loop that are joined by dynamic programming: at 512 it takes 22 million steps. Longer ones that
 /// are no simple polygon from any side have a fan.
@@ -31,8 +30,7 @@ pub(super) fn fill_holes(repaired: &mut Repaired, loops: &[Vec<u32>]) -> Result<
         }
     }
     if let Some(hole) = flat.first() {
-        let first = VertexId::new(repaired.vertex_origins[hole[0] as usize]);
-        let hole = LoopReport { first, ..report(&repaired.surface, hole) };
+        let hole = report(&repaired.surface, hole);
         return Err(TopologyError::FlatHole { hole, count: flat.len() });
     }
     let triangles = repaired.surface.triangles.len() - before;

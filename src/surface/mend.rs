@@ -1,7 +1,8 @@
 //! Repairs of single triangles and vertices that leave the shape of the surface as it is: corners at one place are merged,
 //! the long edge of a flat triangle is flipped, vertices that join fans of triangles are split, and a vertex in the middle of
-//! a neighbor's edge becomes one of the neighbor's.
+//! a neighbor's edge becomes one of the neighbor's, inside and where the gap reaches the boundary.
 
+use super::Surface;
 use super::edges::{EdgeTable, NO_TWIN, ends};
 use super::repair::{RepairNote, Repaired};
 use super::survey::{is_flat, root, visit_fan};
@@ -104,7 +105,7 @@ pub(super) fn split_pinched(repaired: &mut Repaired) {
         let vertex = surface.triangles[corner / 3][corner % 3];
         let is_first = !std::mem::replace(&mut is_taken[vertex as usize], true);
         let mut fan = Vec::new();
-        visit_fan(&twins, corner, &mut visited, &mut |corner| fan.push(corner));
+        visit_fan(&surface.triangles, &twins, corner, &mut visited, &mut |corner| fan.push(corner));
         if !is_first {
             let number = surface.vertices.len() as u32;
             surface.vertices.push(surface.vertices[vertex as usize]);
@@ -150,6 +151,59 @@ pub(super) fn join_flat(repaired: &mut Repaired, loops: &mut Vec<Vec<u32>>) {
     }
 }
 
+/// Joins gaps without area that reach the boundary of the surface: both sides begin in one vertex of it. The surface is oriented.
+pub(super) fn join_open(repaired: &mut Repaired) {
+    let surface = &repaired.surface;
+    let next = boundary_edges(surface);
+    let is_pinched = |v: &u32| next.get(v).is_some_and(|ends| ends.len() > 1);
+    let mut starts: Vec<u32> = next.keys().copied().collect();
+    if !starts.iter().any(is_pinched) {
+        return;
+    }
+    starts.sort_unstable();
+    let edges = starts.iter().flat_map(|&a| next[&a].iter().map(move |&b| [a, b]));
+    let gaps: Vec<Vec<u32>> = edges
+        .filter(|edge| edge.iter().any(is_pinched))
+        .filter_map(|edge| other_side(&surface.vertices, &next, edge))
+        .collect();
+    let halves = 0..3 * surface.triangles.len() as u32;
+    let mut edges: HashMap<[u32; 2], u32> = halves.map(|half| (ends(&surface.triangles, half), half)).collect();
+    let count = gaps.iter().filter(|gap| join(repaired, gap, &mut edges)).count();
+    if count > 0 {
+        repaired.notes.push(RepairNote::Joined { count });
+    }
+}
+
+/// Where the boundary edges that begin at each vertex end.
+fn boundary_edges(surface: &Surface) -> HashMap<u32, Vec<u32>> {
+    let twins = EdgeTable::new(&surface.triangles, surface.vertices.len()).twins();
+    let mut next: HashMap<u32, Vec<u32>> = HashMap::new();
+    for (half, _) in (0..).zip(&twins).filter(|(_, twin)| **twin == NO_TWIN) {
+        let [a, b] = ends(&surface.triangles, half);
+        next.entry(a).or_default().push(b);
+    }
+    next
+}
+
+/// The boundary edge from a to b and the chain of boundary edges back from b to a whose vertices lie on it one after the other;
+/// `None` if there is none.
+fn other_side(places: &[DVec3], next: &HashMap<u32, Vec<u32>>, [a, b]: [u32; 2]) -> Option<Vec<u32>> {
+    let place = |v: u32| places[v as usize];
+    let along = |v: u32| (place(v) - place(a)).dot(place(b) - place(a));
+    let is_between =
+        |v: u32, before: u32| 0.0 < along(v) && along(v) < along(before) && is_flat([place(a), place(b), place(v)]);
+    let mut gap = vec![a, b];
+    let mut at = b;
+    loop {
+        let ends = next.get(&at)?;
+        if gap.len() > 2 && ends.contains(&a) {
+            return Some(gap);
+        }
+        at = ends.iter().copied().find(|&v| is_between(v, at))?;
+        gap.push(at);
+    }
+}
+
 /// Joins one hole; false if its vertices do not lie along its longest edge one after the other.
 fn join(repaired: &mut Repaired, hole: &[u32], edges: &mut HashMap<[u32; 2], u32>) -> bool {
     let surface = &mut repaired.surface;
@@ -188,7 +242,7 @@ fn join(repaired: &mut Repaired, hole: &[u32], edges: &mut HashMap<[u32; 2], u32
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::surface::{Surface, SurfaceMesh};
+    use crate::surface::SurfaceMesh;
 
     /// Squares with their lower left corners at these points of a lattice, each cut from lower left to upper right.
     fn squares(at: &[(u32, u32)]) -> Surface {
@@ -229,6 +283,25 @@ mod tests {
     }
 
     #[test]
+    fn a_gap_that_reaches_the_boundary_is_joined_and_no_slit() {
+        // the lower left square gets vertices in its upper edge, which the one above does not have
+        let mut surface = squares(&[(0, 0), (1, 0), (0, 1), (1, 1)]);
+        surface.vertices.extend([DVec3::new(0.25, 1.0, 0.0), DVec3::new(0.5, 1.0, 0.0)]);
+        let upper = surface.triangles.iter().position(|corners| *corners == [0, 9, 8]).unwrap();
+        surface.triangles[upper] = [0, 9, 65];
+        surface.triangles.extend([[0, 65, 64], [0, 64, 8]]);
+        let (mesh, notes) = notes(&surface);
+        assert_eq!(notes, [RepairNote::Joined { count: 1 }]);
+        let mesh = mesh.mesh();
+        assert_eq!((mesh.triangles().len(), mesh.vertices().len(), mesh.boundary_count()), (12, 11, 8));
+        // a real slit stays one
+        surface.vertices[65].y = 1.0 - 1e-9;
+        let (mesh, notes) = self::notes(&surface);
+        assert_eq!(notes, [RepairNote::SplitVertices { count: 1 }]);
+        assert_eq!(mesh.mesh().boundary_count(), 12);
+    }
+
+    #[test]
     fn corners_at_one_place_are_merged_and_flat_triangles_at_the_boundary_dropped() {
         let mut surface = squares(&[(0, 0), (1, 0)]);
         // the second square has a corner of its own at (1, 0), and a triangle without area between both
@@ -249,7 +322,9 @@ mod tests {
         // a ring of squares that is open at one corner, where its ends touch
         let ring = [(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 3), (0, 1), (0, 2)];
         let surface = squares(&ring[..6]);
-        assert!(SurfaceMesh::new(&squares(&ring[..6])).is_err(), "unused vertices: {surface:?}");
+        let unused = 64 - 14;
+        let open = SurfaceMesh::new(&surface).unwrap();
+        assert_eq!(open.repairs(), [RepairNote::DroppedVertices { count: unused }]);
         let pinched = squares(&[(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 1)]);
         let (mesh, notes) = notes(&pinched);
         assert_eq!(notes, [RepairNote::SplitVertices { count: 1 }]);

@@ -5,6 +5,7 @@
 //! | bytes → [`Surface`] (feature `io`) | `read` |
 //! | changes made by a reader, positions in files | `note` |
 //! | connectivity, and reasons why a surface is not a disk | `survey`, `duplicates`, `topology_error` |
+//! | all faults of a surface at once | `diagnosis` |
 //! | all places of a fault, for a picture | `faults` |
 //! | safe repairs, each reported | `repair`, `fill`, `flat_filling` |
 //! | numbering: boundary loop first, interior after | `disk` |
@@ -15,6 +16,7 @@
 //!
 //! Positions are [`DVec3`]; the map needs only the lengths of the edges.
 
+mod diagnosis;
 mod disk;
 mod duplicates;
 mod edges;
@@ -48,8 +50,8 @@ pub use note::{Place, SurfaceNote};
 pub use preset::{SurfacePreset, UnknownSurfacePreset};
 #[cfg(feature = "io")]
 pub use read::{
-    ENDINGS, Fault, Item, MAX_BYTES, MAX_TRIANGLES, SurfaceError, Unsupported, check_size, embedded, names_format,
-    read_surface, read_surface_beside,
+    ENDINGS, Fault, Item, MAX_BYTES, SurfaceError, Unsupported, check_size, embedded, names_format, read_surface,
+    read_surface_beside,
 };
 pub use repair::RepairNote;
 pub use survey::{MAX_COORDINATE, MIN_EXTENT};
@@ -59,6 +61,7 @@ pub use topology_error::{LISTED, LoopReport, TopologyError};
 pub use tree::SurfaceTree;
 
 use crate::geometry::DVec3;
+use crate::mesh::VertexId;
 
 /// Triangles in space as a file gives them; their connectivity is unchecked.
 ///
@@ -106,6 +109,17 @@ impl Surface {
     /// The number of vertices of the file.
     pub fn count_in_file(&self) -> usize {
         self.merged.as_ref().map_or(self.vertices.len(), Vec::len)
+    }
+
+    /// The fault with the numbers that vertices have in the file, the first of those that were merged.
+    fn in_file(&self, fault: TopologyError) -> TopologyError {
+        let Some(merged) = &self.merged else { return fault };
+        let mut first: Vec<Option<u32>> = vec![None; self.vertices.len()];
+        for (number, &vertex) in (0..).zip(merged) {
+            first[vertex as usize].get_or_insert(number);
+        }
+        let number = |v: VertexId| first.get(v.index()).copied().flatten().map_or(v, VertexId::new);
+        fault.renumbered(&number, &|triangle| triangle)
     }
 
     /// Changes that the reader made to the file's contents.

@@ -64,6 +64,9 @@ pub enum SurfaceNote {
         /// Number of faces dropped.
         count: usize,
     },
+    /// A text STL file does not end with the line `endsolid`.
+    #[error("the last line, endsolid, is missing; if the file was cut off, so is the surface")]
+    Unended,
     /// The file continues after everything that its counts announce.
     #[error("{place}: more follows than the file says it has; it was passed over")]
     Surplus {

@@ -2,20 +2,21 @@
 //!
 //! Corners of a triangle at one place are merged; triangles that name a vertex twice are dropped, and those with the corners
 //! of an earlier one; the component with the most triangles is kept, so that faults of others do not matter; the rest is
-//! oriented consistently, as most of its triangles are; flat triangles have their longest edge flipped; vertices that join
-//! fans of triangles are split; vertices in no triangle are dropped; all boundary loops but one, unless asked otherwise the
-//! longest, are filled, or joined if they have no area. Faults whose repair would need a guess (edges of three triangles)
-//! stay errors.
+//! oriented consistently, as most of its triangles are; flat triangles have their longest edge flipped; gaps without area that
+//! reach the boundary are joined; vertices that join fans of triangles are split; vertices in no triangle are dropped; all
+//! boundary loops but one, unless asked otherwise the longest, are filled, or joined if they have no area. Faults whose repair
+//! would need a guess (edges of three triangles) stay errors.
 
 use super::duplicates::duplicates;
 use super::edges::EdgeTable;
 use super::fill::fill_holes;
-use super::mend::{flip_flat, join_flat, merge_coincident, split_pinched};
+use super::mend::{flip_flat, join_flat, join_open, merge_coincident, split_pinched};
 use super::orient::turned;
-use super::survey::{check_edges, check_values, components, connectivity, repeats, report};
+use super::survey::{check_edges, check_values, components, connectivity, largest, repeats, report};
 use super::{LoopReport, Surface, TopologyError};
 use crate::counted::counted;
 use crate::geometry::DVec3;
+use crate::mesh::{TriangleId, VertexId};
 
 /// The origin of a vertex or triangle that a repair has added.
 pub(super) const ADDED: u32 = u32::MAX;
@@ -153,6 +154,14 @@ impl Repaired {
         Self { surface, vertex_origins, triangle_origins, split: Vec::new(), notes: Vec::new() }
     }
 
+    /// A fault of the surface with the numbers that vertices and triangles had before; those that a repair has added keep theirs.
+    pub(super) fn before(&self, fault: TopologyError) -> TopologyError {
+        let origin = |origins: &[u32], k: usize| origins.get(k).copied().filter(|&origin| origin != ADDED);
+        let vertex = |v: VertexId| origin(&self.vertex_origins, v.index()).map_or(v, VertexId::new);
+        let triangle = |t: TriangleId| origin(&self.triangle_origins, t.index()).map_or(t, TriangleId::new);
+        fault.renumbered(&vertex, &triangle)
+    }
+
     /// Keeps the triangles for which `keep` holds, and returns how many were dropped.
     pub(super) fn retain(&mut self, keep: impl Fn(usize, &[u32; 3]) -> bool) -> usize {
         let before = self.surface.triangles.len();
@@ -165,22 +174,32 @@ impl Repaired {
     }
 }
 
-/// Makes the safe repairs; of the boundary loops, the longest first, number `outline` is not filled. An error if a fault needs another. The result may still not be a
-/// disk (closed, with handles, with flat triangles): [`super::SurfaceMesh::new`] reports that. Cost O(n log d).
+/// Makes the safe repairs; of the boundary loops, the longest first, number `outline` is not filled. An error, with the
+/// surface's numbers, if a fault needs another. The result may still not be a disk (closed, with handles, with flat triangles):
+/// [`super::SurfaceMesh::repaired`] reports that. Cost O(n log d).
 pub(super) fn repair(surface: Surface, outline: usize) -> Result<Repaired, TopologyError> {
     check_values(&surface)?;
     let mut repaired = Repaired::untouched(surface);
-    merge_coincident(&mut repaired);
+    match mend(&mut repaired, outline) {
+        Ok(()) => Ok(repaired),
+        Err(fault) => Err(repaired.before(fault)),
+    }
+}
+
+/// All repairs in order. Errors have the numbers of the surface as it is repaired so far.
+fn mend(repaired: &mut Repaired, outline: usize) -> Result<(), TopologyError> {
+    merge_coincident(repaired);
     let count = repaired.retain(|_, corners| !repeats(corners));
     if count > 0 {
         repaired.notes.push(RepairNote::DroppedTriangles { count });
     }
-    drop_duplicates(&mut repaired);
-    keep_largest(&mut repaired);
-    orient(&mut repaired)?;
-    flip_flat(&mut repaired);
-    split_pinched(&mut repaired);
-    drop_unreferenced(&mut repaired);
+    drop_duplicates(repaired);
+    keep_largest(repaired);
+    orient(repaired)?;
+    flip_flat(repaired);
+    join_open(repaired);
+    split_pinched(repaired);
+    drop_unreferenced(repaired);
     let mut loops = connectivity(&repaired.surface)?.loops;
     if outline > 0 && outline >= loops.len() {
         let loops = loops.iter().map(|l| report(&repaired.surface, l)).collect();
@@ -189,17 +208,16 @@ pub(super) fn repair(surface: Surface, outline: usize) -> Result<Repaired, Topol
     if outline > 0 {
         loops[..=outline].rotate_right(1);
     }
-    join_flat(&mut repaired, &mut loops);
-    fill_holes(&mut repaired, &loops)?;
-    Ok(repaired)
+    join_flat(repaired, &mut loops);
+    fill_holes(repaired, &loops)
 }
 
-fn edges_of(surface: &Surface) -> EdgeTable {
+pub(super) fn edges_of(surface: &Surface) -> EdgeTable {
     EdgeTable::new(&surface.triangles, surface.vertices.len())
 }
 
 /// Of several triangles with the same corners keeps the first.
-fn drop_duplicates(repaired: &mut Repaired) {
+pub(super) fn drop_duplicates(repaired: &mut Repaired) {
     let found = duplicates(&repaired.surface.triangles, &edges_of(&repaired.surface));
     if found.is_empty() {
         return;
@@ -220,7 +238,7 @@ fn twins_of(surface: &Surface) -> Result<Vec<u32>, TopologyError> {
 }
 
 /// Reverses triangles until neighbors agree; in each component, the minority.
-fn orient(repaired: &mut Repaired) -> Result<(), TopologyError> {
+pub(super) fn orient(repaired: &mut Repaired) -> Result<(), TopologyError> {
     let twins = twins_of(&repaired.surface)?;
     let triangles = &mut repaired.surface.triangles;
     let turned = turned(triangles, &twins)?;
@@ -235,17 +253,18 @@ fn orient(repaired: &mut Repaired) -> Result<(), TopologyError> {
 }
 
 /// Keeps the component with the most triangles, the first of equally large ones.
-fn keep_largest(repaired: &mut Repaired) {
+pub(super) fn keep_largest(repaired: &mut Repaired) {
     let surface = &repaired.surface;
     let (component, sizes) = components(&edges_of(surface), surface.triangles.len());
-    let largest = (0..sizes.len()).max_by_key(|&k| (sizes[k], std::cmp::Reverse(k))).unwrap_or(0);
+    let largest = largest(&sizes);
     let dropped = repaired.retain(|t, _| component[t] as usize == largest);
     if dropped > 0 {
         repaired.notes.push(RepairNote::KeptLargest { components: sizes.len(), dropped });
     }
 }
 
-fn drop_unreferenced(repaired: &mut Repaired) {
+/// Drops vertices in no triangle; indices must be in range.
+pub(super) fn drop_unreferenced(repaired: &mut Repaired) {
     let Repaired { surface, vertex_origins, notes, .. } = repaired;
     let mut number = vec![ADDED; surface.vertices.len()];
     surface.triangles.iter().flatten().for_each(|&v| number[v as usize] = 0);

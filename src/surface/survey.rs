@@ -31,12 +31,20 @@ pub(super) struct Connectivity {
     pub twins: Vec<u32>,
     /// The boundary loops in the direction of their triangles, the longest first.
     pub loops: Vec<Vec<u32>>,
+    /// The component of each triangle.
+    pub component: Vec<u32>,
     /// The number of triangles of each component.
     pub sizes: Vec<usize>,
 }
 
 /// Checks the indices and positions alone.
 pub(super) fn check_values(surface: &Surface) -> Result<(), TopologyError> {
+    check_indices(surface)?;
+    check_places(surface)
+}
+
+/// Checks the indices alone.
+pub(super) fn check_indices(surface: &Surface) -> Result<(), TopologyError> {
     let vertices = surface.vertices.len();
     if surface.triangles.is_empty() {
         return Err(TopologyError::Empty);
@@ -49,11 +57,25 @@ pub(super) fn check_values(surface: &Surface) -> Result<(), TopologyError> {
             vertices,
         });
     }
-    let sound = |p: &DVec3| p.abs().max_element() <= MAX_COORDINATE && p.is_finite();
-    if let Some(vertex) = surface.vertices.iter().position(|p| !sound(p)) {
-        return Err(TopologyError::NotFinite { vertex: VertexId::new(vertex as u32) });
+    Ok(())
+}
+
+/// Whether a place is finite and no area there overflows.
+pub(super) fn is_sound(place: DVec3) -> bool {
+    place.abs().max_element() <= MAX_COORDINATE && place.is_finite()
+}
+
+/// Checks the positions of the vertices of triangles, whose indices are checked.
+pub(super) fn check_places(surface: &Surface) -> Result<(), TopologyError> {
+    let corners = surface.triangles.as_flattened();
+    if corners.iter().any(|&v| !is_sound(surface.vertices[v as usize])) {
+        let mut astray: Vec<u32> =
+            corners.iter().copied().filter(|&v| !is_sound(surface.vertices[v as usize])).collect();
+        astray.sort_unstable();
+        astray.dedup();
+        return Err(TopologyError::NotFinite { vertex: VertexId::new(astray[0]), count: astray.len() });
     }
-    // unreferenced vertices do not count for the extent; if it is 0, the triangles are reported as flat later
+    // if the extent is 0, the triangles are reported as flat later
     let first = surface.vertices[corners[0] as usize];
     let offsets = corners.iter().map(|&v| (surface.vertices[v as usize] - first).abs().max_element());
     match offsets.fold(0.0, f64::max) {
@@ -67,20 +89,33 @@ pub(super) fn repeats(&[a, b, c]: &[u32; 3]) -> bool {
     a == b || b == c || c == a
 }
 
-/// Checks the shapes of the triangles.
-pub(super) fn check_triangles(surface: &Surface) -> Result<(), TopologyError> {
-    let first_of = |wrong: &dyn Fn(&[u32; 3]) -> bool| {
-        let triangle = surface.triangles.iter().position(wrong)?;
-        let count = surface.triangles.iter().filter(|t| wrong(t)).count();
-        Some((TriangleId::new(triangle as u32), surface.triangles[triangle].map(VertexId::new), count))
-    };
-    if let Some((triangle, corners, count)) = first_of(&repeats) {
-        return Err(TopologyError::RepeatedCorner { triangle, corners, count });
+/// The first triangle that is wrong, its corners, and the number of all that are.
+fn first_of(triangles: &[[u32; 3]], wrong: impl Fn(&[u32; 3]) -> bool) -> Option<(TriangleId, [VertexId; 3], usize)> {
+    let triangle = triangles.iter().position(&wrong)?;
+    let count = triangles.iter().filter(|t| wrong(t)).count();
+    Some((TriangleId::new(triangle as u32), triangles[triangle].map(VertexId::new), count))
+}
+
+/// Checks that no triangle names a vertex twice.
+pub(super) fn check_repeats(surface: &Surface) -> Result<(), TopologyError> {
+    match first_of(&surface.triangles, repeats) {
+        Some((triangle, corners, count)) => Err(TopologyError::RepeatedCorner { triangle, corners, count }),
+        None => Ok(()),
     }
-    match first_of(&|t| is_flat(t.map(|v| surface.vertices[v as usize]))) {
+}
+
+/// Checks that triangles have an area.
+pub(super) fn check_areas(surface: &Surface) -> Result<(), TopologyError> {
+    match first_of(&surface.triangles, |corners| has_no_area(surface, corners)) {
         Some((triangle, corners, count)) => Err(TopologyError::Degenerate { triangle, corners, count }),
         None => Ok(()),
     }
+}
+
+/// Whether a triangle has no area, for no other reason than that its three corners lie in a line.
+pub(super) fn has_no_area(surface: &Surface, corners: &[u32; 3]) -> bool {
+    let places = corners.map(|v| surface.vertices[v as usize]);
+    !repeats(corners) && is_flat(places) && places.into_iter().all(is_sound)
 }
 
 /// Whether the corners of a triangle lie in a line, or so nearly that its angles are not determined.
@@ -91,7 +126,7 @@ pub(super) fn is_flat([a, b, c]: [DVec3; 3]) -> bool {
 }
 
 /// Checks that no two triangles have the same corners.
-fn check_duplicates(triangles: &[[u32; 3]], edges: &EdgeTable) -> Result<(), TopologyError> {
+pub(super) fn check_duplicates(triangles: &[[u32; 3]], edges: &EdgeTable) -> Result<(), TopologyError> {
     let found = duplicates(triangles, edges);
     let Some([triangle, other]) = found.first().map(|pair| pair.map(TriangleId::new)) else { return Ok(()) };
     let corners = triangles[triangle.index()].map(VertexId::new);
@@ -127,44 +162,54 @@ pub(super) fn check_orientation(triangles: &[[u32; 3]], twins: &[u32]) -> Result
 }
 
 /// Checks that the triangles at each vertex form one fan, open or closed.
-pub(super) fn check_vertices(triangles: &[[u32; 3]], twins: &[u32], vertices: usize) -> Result<(), TopologyError> {
-    let fans = fans(triangles, twins, vertices);
+pub(super) fn check_vertices(fans: &[u32]) -> Result<(), TopologyError> {
     let Some(vertex) = fans.iter().position(|&count| count > 1) else { return Ok(()) };
     let count = fans.iter().filter(|&&count| count > 1).count();
     Err(TopologyError::NonManifoldVertex { vertex: VertexId::new(vertex as u32), fans: fans[vertex] as usize, count })
 }
 
-/// The number of fans of triangles, open or closed, at each vertex.
-pub(super) fn fans(triangles: &[[u32; 3]], twins: &[u32], vertices: usize) -> Vec<u32> {
+/// The number of fans of triangles of any orientation, open or closed, at each vertex; 0 at the ends of edges of more than two
+/// triangles, where fans are not determined.
+pub(super) fn fans(triangles: &[[u32; 3]], edges: &EdgeTable, twins: &[u32], vertices: usize) -> Vec<u32> {
     let mut fans = vec![0_u32; vertices];
     let mut visited = vec![false; twins.len()];
     for corner in 0..twins.len() {
         if !visited[corner] {
             fans[triangles[corner / 3][corner % 3] as usize] += 1;
-            visit_fan(twins, corner, &mut visited, &mut |_| {});
+            visit_fan(triangles, twins, corner, &mut visited, &mut |_| {});
         }
+    }
+    for edge in edges.edges().filter(|edge| edge.len() > 2) {
+        ends(triangles, edge[0].1).into_iter().for_each(|v| fans[v as usize] = 0);
     }
     fans
 }
 
-/// Visits the corners around the vertex of `corner` that are reached across edges, this one first.
-pub(super) fn visit_fan(twins: &[u32], corner: usize, visited: &mut [bool], visit: &mut dyn FnMut(usize)) {
+/// Visits the corners around the vertex of `corner` that are reached across edges, this one first. Triangles may have any
+/// orientation.
+pub(super) fn visit_fan(
+    triangles: &[[u32; 3]],
+    twins: &[u32],
+    corner: usize,
+    visited: &mut [bool],
+    visit: &mut dyn FnMut(usize),
+) {
     visited[corner] = true;
     visit(corner);
+    let (first, i) = (corner / 3, corner % 3);
+    let vertex = triangles[first][i];
     // corner i lies between the half-edges i+1 (behind it) and i+2 (before it)
-    for turn in [1, 2] {
-        let mut at = corner;
-        loop {
-            let twin = twins[3 * (at / 3) + (at + turn) % 3];
-            if twin == NO_TWIN {
+    for mut half in [1, 2].map(|turn| 3 * first + (i + turn) % 3) {
+        while twins[half] != NO_TWIN {
+            let (other, from) = (twins[half] as usize / 3, twins[half] as usize % 3);
+            let mut ends = [1, 2].into_iter().map(|turn| (from + turn) % 3);
+            let Some(at) = ends.find(|&k| triangles[other][k] == vertex) else { break };
+            if std::mem::replace(&mut visited[3 * other + at], true) {
                 break;
             }
-            // across half-edge i+1, the same vertex is the corner i+1 of the other triangle, and vice versa
-            at = 3 * (twin as usize / 3) + (twin as usize + turn) % 3;
-            if std::mem::replace(&mut visited[at], true) {
-                break;
-            }
-            visit(at);
+            visit(3 * other + at);
+            // the third half-edge of a triangle, neither the one that was crossed nor the one opposite to the vertex
+            half = 3 * other + (3 - at - from);
         }
     }
 }
@@ -192,6 +237,20 @@ pub(super) fn components(edges: &EdgeTable, triangles: usize) -> (Vec<u32>, Vec<
         sizes[number[root] as usize] += 1;
     }
     (component, sizes)
+}
+
+/// The number of the largest component, the first of equally large ones.
+pub(super) fn largest(sizes: &[usize]) -> usize {
+    (0..sizes.len()).max_by_key(|&k| (sizes[k], std::cmp::Reverse(k))).unwrap_or(0)
+}
+
+/// Checks that there is one component; each triangle is in that with the number in `component`.
+pub(super) fn check_components(component: &[u32], sizes: &[usize]) -> Result<(), TopologyError> {
+    let largest = largest(sizes);
+    let Some(first) = component.iter().position(|&number| number as usize != largest) else { return Ok(()) };
+    let mut triangles = sizes.to_vec();
+    sort_by_number(&mut triangles, |&count| -(count as f64));
+    Err(TopologyError::Components { triangles, first: TriangleId::new(first as u32) })
 }
 
 /// The first of the ones with which `v` is merged, with shorter ways to it for the next time.
@@ -241,39 +300,41 @@ pub(super) fn loop_length(positions: &[DVec3], vertices: &[u32]) -> f64 {
 /// Checks every local property, then computes the connectivity.
 pub(super) fn connectivity(surface: &Surface) -> Result<Connectivity, TopologyError> {
     check_values(surface)?;
-    check_triangles(surface)?;
-    let edges = EdgeTable::new(&surface.triangles, surface.vertices.len());
-    check_duplicates(&surface.triangles, &edges)?;
-    check_edges(&surface.triangles, &edges)?;
+    check_repeats(surface)?;
+    check_areas(surface)?;
+    connected(surface)
+}
+
+/// As [`connectivity`], whatever the shape of the triangles, which name three vertices each.
+pub(super) fn connected(surface: &Surface) -> Result<Connectivity, TopologyError> {
+    let Surface { vertices, triangles, .. } = surface;
+    let edges = EdgeTable::new(triangles, vertices.len());
+    check_duplicates(triangles, &edges)?;
+    check_edges(triangles, &edges)?;
     let twins = edges.twins();
-    check_orientation(&surface.triangles, &twins)?;
-    check_vertices(&surface.triangles, &twins, surface.vertices.len())?;
-    let sizes = components(&edges, surface.triangles.len()).1;
+    check_orientation(triangles, &twins)?;
+    check_vertices(&fans(triangles, &edges, &twins, vertices.len()))?;
     let loops = loops(surface, &twins);
-    Ok(Connectivity { twins, loops, sizes })
+    let (component, sizes) = components(&edges, triangles.len());
+    Ok(Connectivity { twins, loops, component, sizes })
 }
 
 impl Connectivity {
-    /// Checks for one component, one loop, no handle, no vertex without triangle.
+    /// Checks for one component, one loop, no handle. Vertices in no triangle do not matter.
     pub(super) fn check_disk(&self, surface: &Surface) -> Result<(), TopologyError> {
-        if self.sizes.len() > 1 {
-            let mut triangles = self.sizes.clone();
-            sort_by_number(&mut triangles, |&count| -(count as f64));
-            return Err(TopologyError::Components { triangles });
+        check_components(&self.component, &self.sizes)?;
+        self.faults_of_whole(surface).into_iter().next().map_or(Ok(()), Err)
+    }
+
+    /// Why a surface of one component is no disk: it is closed, or has handles or several loops.
+    pub(super) fn faults_of_whole(&self, surface: &Surface) -> Vec<TopologyError> {
+        let genus = self.genus(used(surface).into_iter().filter(|used| *used).count());
+        if self.loops.is_empty() {
+            return vec![TopologyError::Closed { genus }];
         }
-        let mut used = vec![false; surface.vertices.len()];
-        surface.triangles.iter().flatten().for_each(|&v| used[v as usize] = true);
-        if let Some(vertex) = used.iter().position(|used| !used) {
-            let count = used.iter().filter(|used| !**used).count();
-            return Err(TopologyError::Unreferenced { vertex: VertexId::new(vertex as u32), count });
-        }
-        let genus = self.genus(surface.vertices.len());
-        match self.loops.len() {
-            0 => Err(TopologyError::Closed { genus }),
-            _ if genus > 0 => Err(TopologyError::Genus { genus }),
-            1 => Ok(()),
-            _ => Err(TopologyError::Loops { loops: self.loops.iter().map(|l| report(surface, l)).collect() }),
-        }
+        let handles = (genus > 0).then_some(TopologyError::Genus { genus });
+        let loops = || TopologyError::Loops { loops: self.loops.iter().map(|l| report(surface, l)).collect() };
+        handles.into_iter().chain((self.loops.len() > 1).then(loops)).collect()
     }
 
     /// The genus g of a connected surface with b loops, from V − E + F = 2 − 2g − b.
@@ -283,6 +344,13 @@ impl Connectivity {
         let (faces, edges) = (halves / 3, halves.midpoint(boundary));
         (2 + edges).saturating_sub(vertices + faces + self.loops.len()) / 2
     }
+}
+
+/// Whether each vertex is in a triangle.
+pub(super) fn used(surface: &Surface) -> Vec<bool> {
+    let mut used = vec![false; surface.vertices.len()];
+    surface.triangles.iter().flatten().for_each(|&v| used[v as usize] = true);
+    used
 }
 
 pub(super) fn report(surface: &Surface, vertices: &[u32]) -> LoopReport {

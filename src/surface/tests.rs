@@ -71,9 +71,10 @@ fn bad_values_are_named() {
     );
     let mut surface = grid(2);
     surface.vertices[5].y = f64::NAN;
-    assert_eq!(error(&surface), TopologyError::NotFinite { vertex: VertexId::new(5) });
+    assert_eq!(error(&surface), TopologyError::NotFinite { vertex: VertexId::new(5), count: 1 });
     surface.vertices[5].y = 1.1e75;
-    assert_eq!(error(&surface), TopologyError::NotFinite { vertex: VertexId::new(5) });
+    surface.vertices[7].x = f64::NEG_INFINITY;
+    assert_eq!(error(&surface), TopologyError::NotFinite { vertex: VertexId::new(5), count: 2 });
     let mut surface = grid(2);
     surface.vertices.iter_mut().for_each(|p| *p *= 1e-72);
     assert!(matches!(error(&surface), TopologyError::TooSmall { .. }));
@@ -136,7 +137,9 @@ fn edges_and_vertices_that_are_no_manifold_are_named() {
     let mut surface = grid(2);
     surface.vertices.extend([DVec3::Z, DVec3::new(1.0, 0.0, 1.0)]);
     surface.triangles.push([4, 9, 10]);
-    assert_eq!(error(&surface), TopologyError::NonManifoldVertex { vertex: VertexId::new(4), fans: 2, count: 1 });
+    let pinched = TopologyError::NonManifoldVertex { vertex: VertexId::new(4), fans: 2, count: 1 };
+    let parts = TopologyError::Components { triangles: vec![8, 1], first: TriangleId::new(8) };
+    assert_eq!(error(&surface), TopologyError::Several { faults: vec![pinched, parts] });
 }
 
 #[test]
@@ -172,13 +175,26 @@ fn parts_and_loose_vertices_are_counted_and_dropped() {
     let mut surface = grid(2);
     surface.vertices.extend([DVec3::Z, DVec3::ONE, DVec3::new(1.0, 0.0, 1.0), DVec3::NEG_X]);
     surface.triangles.insert(0, [9, 10, 11]);
-    assert_eq!(error(&surface), TopologyError::Components { triangles: vec![8, 1] });
+    assert_eq!(error(&surface), TopologyError::Components { triangles: vec![8, 1], first: TriangleId::new(0) });
     let repaired = SurfaceMesh::repaired(&surface).unwrap();
     let expected = [RepairNote::KeptLargest { components: 2, dropped: 1 }, RepairNote::DroppedVertices { count: 4 }];
     assert_eq!(repaired.repairs(), expected);
     assert_eq!((repaired.triangle_origins()[0], repaired.number_of(VertexId::new(12))), (1, None));
-    surface.triangles.remove(0);
-    assert_eq!(error(&surface), TopologyError::Unreferenced { vertex: VertexId::new(9), count: 4 });
+}
+
+#[test]
+fn vertices_in_no_triangle_are_dropped_wherever_they_are() {
+    let mut surface = grid(2);
+    surface.vertices.extend([DVec3::Z, DVec3::NAN, DVec3::INFINITY, DVec3::splat(1e300)]);
+    let plain = SurfaceMesh::new(&grid(2)).unwrap();
+    for disk in [SurfaceMesh::new(&surface).unwrap(), SurfaceMesh::repaired(&surface).unwrap()] {
+        assert_eq!(disk.repairs(), [RepairNote::DroppedVertices { count: 4 }]);
+        assert_eq!((disk.mesh(), disk.vertex_origins()), (plain.mesh(), plain.vertex_origins()));
+        // they keep their numbers, at a finite place
+        let positions: Vec<DVec3> = disk.origin_positions().collect();
+        assert_eq!(positions[..10], surface.vertices[..10]);
+        assert_eq!(positions[10..], [positions[0]; 3]);
+    }
 }
 
 #[test]
@@ -188,9 +204,13 @@ fn loops_and_handles_are_counted() {
     let mut open = torus(8, 6);
     open.triangles.remove(0);
     assert_eq!(error(&open), TopologyError::Genus { genus: 1 });
-    // a second hole, not adjacent to the first: the reported fault is still the handle, which cannot be repaired
+    // a second hole, not adjacent to the first
     open.triangles.remove(40);
-    assert_eq!(error(&open), TopologyError::Genus { genus: 1 });
+    let TopologyError::Several { faults } = error(&open) else { panic!("{}", error(&open)) };
+    assert!(
+        matches!(&*faults, [TopologyError::Genus { genus: 1 }, TopologyError::Loops { loops }] if loops.len() == 2)
+    );
+    assert_eq!(SurfaceMesh::repaired(&open).unwrap_err(), TopologyError::Genus { genus: 1 });
     let mut surface = grid(4);
     // the two squares in the middle of the second row
     surface.triangles.retain(|t| ![[6, 7, 12], [6, 12, 11], [7, 8, 13], [7, 13, 12]].contains(t));

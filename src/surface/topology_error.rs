@@ -38,11 +38,18 @@ pub enum TopologyError {
         /// Number of vertices.
         vertices: usize,
     },
-    /// A coordinate is NaN or infinite, or so large that areas overflow.
-    #[error("vertex {vertex} is at no finite place that can be dealt with (up to ±{MAX_COORDINATE:e})")]
+    /// Coordinates of triangles' vertices are NaN or infinite, or so large that areas overflow.
+    #[error("{}", counted!(
+        *count,
+        "vertex {vertex} is at no finite place that can be dealt with (up to ±{MAX_COORDINATE:e})",
+        "{count} vertices are at no finite place that can be dealt with (up to ±{MAX_COORDINATE:e}), the first is vertex \
+         {vertex}"
+    ))]
     NotFinite {
-        /// Number of the vertex.
+        /// The first such vertex.
         vertex: VertexId,
+        /// Number of such vertices.
+        count: usize,
     },
     /// The surface is so small that areas underflow.
     #[error("the surface is {extent:e} across: {MIN_EXTENT:e} at least can be dealt with")]
@@ -161,22 +168,16 @@ pub enum TopologyError {
         count: usize,
     },
     /// More than one connected part.
-    #[error("the surface has {} components: keep the largest one (triangles: {})", .triangles.len(), Listed(.triangles))]
+    #[error(
+        "the surface has {} components: keep the largest one (triangles: {}; the first outside of it is triangle {first})",
+        .triangles.len(),
+        Listed(.triangles)
+    )]
     Components {
         /// Number of triangles in each part, largest first.
         triangles: Vec<usize>,
-    },
-    /// Vertices that belong to no triangle.
-    #[error("{}", counted!(
-        *count,
-        "vertex {vertex} is in no triangle: drop it",
-        "{count} vertices are in no triangle, the first is vertex {vertex}: drop them"
-    ))]
-    Unreferenced {
-        /// The first such vertex.
-        vertex: VertexId,
-        /// Number of such vertices.
-        count: usize,
+        /// The first triangle that is not in the largest part.
+        first: TriangleId,
     },
     /// The surface has no boundary.
     #[error("the surface is closed (genus {genus}); it must have a boundary: cut it open")]
@@ -220,6 +221,75 @@ pub enum TopologyError {
         /// Number of handles.
         genus: usize,
     },
+    /// Several kinds of faults, loops and handles being those of the largest part.
+    #[error("the surface has {} kinds of faults: {}", .faults.len(), Numbered(.faults))]
+    Several {
+        /// One for each kind.
+        faults: Vec<Self>,
+    },
+}
+
+impl TopologyError {
+    /// All these faults as one; `None` if there are none.
+    pub(super) fn joined(mut faults: Vec<Self>) -> Option<Self> {
+        if faults.len() > 1 { Some(Self::Several { faults }) } else { faults.pop() }
+    }
+
+    /// The same fault with other numbers of vertices and triangles.
+    pub(super) fn renumbered(
+        mut self,
+        vertex: &dyn Fn(VertexId) -> VertexId,
+        triangle: &dyn Fn(TriangleId) -> TriangleId,
+    ) -> Self {
+        self.vertices_mut().into_iter().for_each(|v| *v = vertex(*v));
+        self.triangles_mut().into_iter().for_each(|t| *t = triangle(*t));
+        self
+    }
+
+    /// The vertices that the message names.
+    fn vertices_mut(&mut self) -> Vec<&mut VertexId> {
+        match self {
+            Self::NotFinite { vertex, .. } | Self::NonManifoldVertex { vertex, .. } => vec![vertex],
+            Self::RepeatedCorner { corners, .. }
+            | Self::Degenerate { corners, .. }
+            | Self::Duplicates { corners, .. } => corners.iter_mut().collect(),
+            Self::NonManifoldEdge { edge, .. } | Self::Orientation { edge, .. } => edge.iter_mut().collect(),
+            Self::Loops { loops } | Self::NoLoop { loops, .. } => loops.iter_mut().map(|l| &mut l.first).collect(),
+            Self::FlatHole { hole, .. } => vec![&mut hole.first],
+            Self::Several { faults } => faults.iter_mut().flat_map(Self::vertices_mut).collect(),
+            Self::Empty
+            | Self::IndexOutOfRange { .. }
+            | Self::TooSmall { .. }
+            | Self::OneSided { .. }
+            | Self::Components { .. }
+            | Self::Closed { .. }
+            | Self::Genus { .. } => Vec::new(),
+        }
+    }
+
+    /// The triangles that the message names.
+    fn triangles_mut(&mut self) -> Vec<&mut TriangleId> {
+        match self {
+            Self::IndexOutOfRange { triangle, .. }
+            | Self::RepeatedCorner { triangle, .. }
+            | Self::Degenerate { triangle, .. }
+            | Self::OneSided { triangle }
+            | Self::Components { first: triangle, .. } => vec![triangle],
+            Self::Duplicates { triangle, other, .. } => vec![triangle, other],
+            Self::NonManifoldEdge { triangles, .. } => triangles.iter_mut().collect(),
+            Self::Orientation { triangles, .. } => triangles.iter_mut().collect(),
+            Self::Several { faults } => faults.iter_mut().flat_map(Self::triangles_mut).collect(),
+            Self::Empty
+            | Self::NotFinite { .. }
+            | Self::TooSmall { .. }
+            | Self::NonManifoldVertex { .. }
+            | Self::Closed { .. }
+            | Self::Loops { .. }
+            | Self::NoLoop { .. }
+            | Self::FlatHole { .. }
+            | Self::Genus { .. } => Vec::new(),
+        }
+    }
 }
 
 impl fmt::Display for LoopReport {
@@ -240,6 +310,18 @@ impl<T: fmt::Display> fmt::Display for Bracketed<'_, T> {
             write!(f, "{}{index}", if k > 0 { ", " } else { "[" })?;
         }
         f.write_str("]")
+    }
+}
+
+/// Sentences that are numbered from 1 and separated by semicolons.
+struct Numbered<'a, T>(&'a [T]);
+
+impl<T: fmt::Display> fmt::Display for Numbered<'_, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (k, item) in self.0.iter().enumerate() {
+            write!(f, "{}({}) {item}", if k > 0 { "; " } else { "" }, k + 1)?;
+        }
+        Ok(())
     }
 }
 

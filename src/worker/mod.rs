@@ -421,10 +421,13 @@ mod tests {
     #[test]
     fn a_repair_is_offered_where_it_would_help_and_only_there() {
         let loose = "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 2 3 4\n";
-        let Response::Failed(failure) = last(file(loose), false) else { panic!() };
-        assert!(failure.repairable && failure.text == key::topology_unreferenced(1_u32, 0_u32), "{failure:?}");
-        assert_eq!(failure.sketch.map(|sketch| sketch.vertices.len()), Some(1), "the vertex is marked");
-        assert!(matches!(last(file(loose), true), Response::Prepared(..)));
+        assert!(matches!(last(file(loose), false), Response::Prepared(..)));
+        let apart = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 5 0 0\nv 6 0 0\nv 6 1 0\nf 1 2 3\nf 4 5 6\n";
+        let Response::Failed(failure) = last(file(apart), false) else { panic!() };
+        assert!(failure.repairable, "{failure:?}");
+        assert_eq!(failure.text.key(), "topology_components");
+        assert_eq!(failure.sketch.map(|sketch| sketch.edges.len()), Some(3), "the second triangle is marked");
+        assert!(matches!(last(file(apart), true), Response::Prepared(..)));
         let closed = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
         let Response::Failed(failure) = last(file(closed), false) else { panic!() };
         assert!(!failure.repairable && failure.text.key() == key::topology_closed(0_u32).key(), "{failure:?}");

@@ -1,7 +1,7 @@
 //! A sketch of a surface that cannot be opened: its triangles as lines, and the places of its faults.
 
 use crate::geometry::DVec3;
-use crate::surface::{Surface, TopologyError};
+use crate::surface::{MAX_COORDINATE, Surface, TopologyError};
 
 /// The most triangles that are drawn; of more, every k-th one.
 const MOST_TRIANGLES: usize = 3000;
@@ -34,7 +34,9 @@ impl Sketch {
         }
         let place = placed(surface);
         let step = surface.triangles().len().div_ceil(MOST_TRIANGLES).max(1);
-        let triangles = surface.triangles().iter().step_by(step).map(|corners| corners.map(&place)).collect();
+        let drawn =
+            surface.triangles().iter().step_by(step).filter(|corners| corners.iter().all(|&v| has_place(surface, v)));
+        let triangles = drawn.map(|corners| corners.map(&place)).collect();
         let edges: Vec<_> = faults.edges.into_iter().take(MOST_MARKS).map(|ends| ends.map(&place)).collect();
         let vertices: Vec<_> = faults.vertices.into_iter().take(MOST_MARKS).map(&place).collect();
         let unmarked = marks - edges.len() - vertices.len();
@@ -42,11 +44,20 @@ impl Sketch {
     }
 }
 
-/// The place of a vertex: the box of all vertices is centered, and its longest edge fills the cube.
+/// Whether a vertex lies at a finite place.
+fn has_place(surface: &Surface, vertex: u32) -> bool {
+    let place = surface.vertices()[vertex as usize];
+    place.is_finite() && place.abs().max_element() <= MAX_COORDINATE
+}
+
+/// The place of a vertex: the box of all triangles is centered, and its longest edge fills the cube. The center for a vertex at
+/// no finite place.
 fn placed(surface: &Surface) -> impl Fn(u32) -> Place {
     let vertices = surface.vertices();
-    let bounds =
-        |least: fn(DVec3, DVec3) -> DVec3, start: f64| vertices.iter().copied().fold(DVec3::splat(start), least);
+    let corners = surface.triangles().as_flattened().iter().copied().filter(|&v| has_place(surface, v));
+    let bounds = |least: fn(DVec3, DVec3) -> DVec3, start: f64| {
+        corners.clone().map(|v| vertices[v as usize]).fold(DVec3::splat(start), least)
+    };
     let (low, high) = (bounds(DVec3::min, f64::INFINITY), bounds(DVec3::max, f64::NEG_INFINITY));
     let (center, half) = (low.midpoint(high), (0.5 * (high - low)).max_element());
     let scale = if half > 0.0 { f64::from(i16::MAX) / half } else { 0.0 };
@@ -57,6 +68,7 @@ fn placed(surface: &Surface) -> impl Fn(u32) -> Place {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
+    use crate::mesh::{TriangleId, VertexId};
     use crate::surface::SurfaceMesh;
 
     #[test]
@@ -68,6 +80,20 @@ mod tests {
         assert_eq!((sketch.triangles.len(), sketch.vertices.len(), sketch.unmarked), (3, 0, 0));
         let [a, b] = sketch.edges[0];
         assert_eq!(([a[0], b[0]], a[1], a[2]), ([-i16::MAX, i16::MAX], 0, -8191), "the box is 4 × 4 × 1");
+    }
+
+    #[test]
+    fn vertices_at_no_finite_place_are_left_out() {
+        let places = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0], [f64::NAN, 0.0, 0.0], [1e300, 0.0, 0.0]];
+        let surface = Surface::new(places.map(DVec3::from).to_vec(), vec![[0, 1, 2], [0, 1, 1], [1, 2, 3], [2, 1, 4]]);
+        let error = TopologyError::RepeatedCorner {
+            triangle: TriangleId::new(1),
+            corners: [0, 1, 1].map(VertexId::new),
+            count: 1,
+        };
+        let sketch = Sketch::new(&surface, &error).unwrap();
+        assert_eq!((sketch.triangles.len(), sketch.edges.len()), (2, 3));
+        assert_eq!(sketch.triangles[0][1], [i16::MAX, -16_383, 0]);
     }
 
     #[test]

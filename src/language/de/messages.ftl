@@ -201,10 +201,9 @@ not_converged = das iterative Verfahren ist nicht konvergiert: Sein relatives Re
 ## surface
 
 surface_file_too_large = die Datei hat { $bytes } Byte; Flächen bis { $limit } MiB lassen sich lesen
-surface_file_too_many_triangles = { $place }: mehr als { $limit } Dreiecke
+surface_file_too_much_memory = die Fläche hat { $triangles } Dreiecke und { $vertices } Ecken, die etwa { $needed } MB Speicher brauchen; verfügbar sind { $available } MB
 surface_file_unknown_format = „.{ $extension }“ ist kein bekanntes Flächenformat: obj, ply, stl, off, gltf, glb
 surface_file_not_a_number = { $place }: „{ $found }“ ist keine Zahl
-surface_file_not_finite = { $place }: eine Koordinate der Ecke { $vertex } ist keine endliche Zahl
 surface_file_missing = { $place }: { $what } fehlt
 surface_file_index_out_of_range = { $vertices ->
     [one] { $place }: ein Vieleck nennt Ecke { $index }, die Datei hat aber nur 1 Ecke
@@ -225,13 +224,17 @@ surface_note_dropped_faces = { $count ->
     [one] 1 Fläche mit weniger als 3 Ecken wurde weggelassen
    *[other] { $count } Flächen mit weniger als 3 Ecken wurden weggelassen
 }
+surface_note_unended = die letzte Zeile, endsolid, fehlt; wurde die Datei abgeschnitten, dann auch die Fläche
 surface_note_surplus = { $place }: Danach steht mehr, als die Datei nach eigener Angabe hat; es wurde übergangen
 topology_empty = die Fläche hat keine Dreiecke
 topology_index_out_of_range = { $vertices ->
     [one] Dreieck { $triangle } nennt Ecke { $vertex }, es gibt aber nur 1 Ecke
    *[other] Dreieck { $triangle } nennt Ecke { $vertex }, es gibt aber { $vertices } Ecken
 }
-topology_not_finite = Ecke { $vertex } liegt an keinem endlichen Ort, mit dem sich rechnen lässt (bis ±{ $limit })
+topology_not_finite = { $count ->
+    [one] Ecke { $vertex } liegt an keinem endlichen Ort, mit dem sich rechnen lässt (bis ±{ $limit })
+   *[other] { $count } Ecken liegen an keinem endlichen Ort, mit dem sich rechnen lässt (bis ±{ $limit }), die erste ist Ecke { $vertex }
+}
 topology_too_small = die Fläche hat eine Ausdehnung von { $extent }: Rechnen lässt sich ab { $limit }
 topology_repeated_corner = { $count ->
     [one] Dreieck { $triangle } { $corners } nennt eine Ecke zweimal: weglassen
@@ -257,10 +260,6 @@ topology_one_sided = die Fläche hat nur eine Seite (wie ein Möbiusband): Keine
 topology_non_manifold_vertex = { $count ->
     [one] Ecke { $vertex } verbindet Teile ohne gemeinsame Kante, { $fans } Fächer von Dreiecken: jedem dort eine eigene Ecke geben
    *[other] { $count } Ecken verbinden Teile ohne gemeinsame Kante, die erste ist Ecke { $vertex } mit { $fans } Fächern von Dreiecken: jedem dort eine eigene Ecke geben
-}
-topology_unreferenced = { $count ->
-    [one] Ecke { $vertex } ist in keinem Dreieck: weglassen
-   *[other] { $count } Ecken sind in keinem Dreieck, die erste ist Ecke { $vertex }: weglassen
 }
 topology_closed = die Fläche ist geschlossen (Geschlecht { $genus }); sie muss einen Rand haben: aufschneiden
 topology_genus = { $genus ->
@@ -304,7 +303,9 @@ repair_dropped_vertices = { $count ->
    *[other] { $count } Ecken in keinem Dreieck wurden weggelassen
 }
 surface_file_malformed = { $place }: { $fault }
-topology_components = die Fläche hat { $count } Teile (Dreiecke: { $sizes }): den größten behalten
+topology_components = die Fläche hat { $count } Teile: den größten behalten (Dreiecke: { $sizes }; das erste außerhalb von ihm ist Dreieck { $first })
+topology_several = die Fläche hat Fehler von { $count } Arten: { $faults }
+topology_fault = ({ $number }) { $fault }
 topology_loops = die Fläche hat { $count } Randkurven, eine Scheibe hat eine: alle außer der längsten füllen. Das sind die Randkurven: { $loops }
 topology_flat_hole = { $count ->
     [one] ein Loch hat keine Fläche, da seine Ecken auf einer Linie liegen: Sie sind zu verbinden ({ $hole })

@@ -201,10 +201,9 @@ not_converged = the iterative solver did not converge: its relative residual is 
 ## surface
 
 surface_file_too_large = the file has { $bytes } bytes; surfaces up to { $limit } MiB can be read
-surface_file_too_many_triangles = { $place }: more than { $limit } triangles
+surface_file_too_much_memory = the surface has { $triangles } triangles and { $vertices } vertices, which take about { $needed } MB of memory; { $available } MB are available
 surface_file_unknown_format = ".{ $extension }" is no surface format that is known: obj, ply, stl, off, gltf, glb
 surface_file_not_a_number = { $place }: "{ $found }" is not a number
-surface_file_not_finite = { $place }: a coordinate of vertex { $vertex } is not a finite number
 surface_file_missing = { $place }: { $what } is missing
 surface_file_index_out_of_range = { $vertices ->
     [one] { $place }: a face names vertex { $index }, but the file has 1 vertex
@@ -225,13 +224,17 @@ surface_note_dropped_faces = { $count ->
     [one] 1 face with fewer than 3 corners was dropped
    *[other] { $count } faces with fewer than 3 corners were dropped
 }
+surface_note_unended = the last line, endsolid, is missing; if the file was cut off, so is the surface
 surface_note_surplus = { $place }: more follows than the file says it has; it was passed over
 topology_empty = the surface has no triangles
 topology_index_out_of_range = { $vertices ->
     [one] triangle { $triangle } names vertex { $vertex }, but there is 1 vertex
    *[other] triangle { $triangle } names vertex { $vertex }, but there are { $vertices } vertices
 }
-topology_not_finite = vertex { $vertex } is at no finite place that can be dealt with (up to ±{ $limit })
+topology_not_finite = { $count ->
+    [one] vertex { $vertex } is at no finite place that can be dealt with (up to ±{ $limit })
+   *[other] { $count } vertices are at no finite place that can be dealt with (up to ±{ $limit }), the first is vertex { $vertex }
+}
 topology_too_small = the surface is { $extent } across: { $limit } at least can be dealt with
 topology_repeated_corner = { $count ->
     [one] triangle { $triangle } { $corners } names a vertex twice: drop it
@@ -257,10 +260,6 @@ topology_one_sided = the surface has one side only (as a Möbius strip): no orie
 topology_non_manifold_vertex = { $count ->
     [one] vertex { $vertex } joins parts that share no edge, { $fans } fans of triangles: give each its own vertex there
    *[other] { $count } vertices join parts that share no edge, the first is vertex { $vertex } with { $fans } fans of triangles: give each its own vertex there
-}
-topology_unreferenced = { $count ->
-    [one] vertex { $vertex } is in no triangle: drop it
-   *[other] { $count } vertices are in no triangle, the first is vertex { $vertex }: drop them
 }
 topology_closed = the surface is closed (genus { $genus }); it must have a boundary: cut it open
 topology_genus = { $genus ->
@@ -304,7 +303,9 @@ repair_dropped_vertices = { $count ->
    *[other] { $count } vertices in no triangle were dropped
 }
 surface_file_malformed = { $place }: { $fault }
-topology_components = the surface has { $count } components: keep the largest one (triangles: { $sizes })
+topology_components = the surface has { $count } components: keep the largest one (triangles: { $sizes }; the first outside of it is triangle { $first })
+topology_several = the surface has { $count } kinds of faults: { $faults }
+topology_fault = ({ $number }) { $fault }
 topology_loops = the surface has { $count } boundary loops where a disk has one: fill all but the longest. These are the loops: { $loops }
 topology_flat_hole = { $count ->
     [one] a hole has no area, since its vertices lie in a line: join them ({ $hole })

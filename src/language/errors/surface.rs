@@ -10,7 +10,9 @@ impl From<&TopologyError> for Message {
             TopologyError::IndexOutOfRange { triangle, vertex, vertices } => {
                 key::topology_index_out_of_range(*vertices, *triangle, *vertex)
             }
-            TopologyError::NotFinite { vertex } => key::topology_not_finite(*vertex, format!("{MAX_COORDINATE:e}")),
+            TopologyError::NotFinite { vertex, count } => {
+                key::topology_not_finite(*count, *vertex, format!("{MAX_COORDINATE:e}"))
+            }
             TopologyError::TooSmall { extent } => {
                 key::topology_too_small(format!("{extent:e}"), format!("{MIN_EXTENT:e}"))
             }
@@ -33,11 +35,10 @@ impl From<&TopologyError> for Message {
             TopologyError::NonManifoldVertex { vertex, fans, count } => {
                 key::topology_non_manifold_vertex(*count, *vertex, *fans)
             }
-            TopologyError::Components { triangles } => {
+            TopologyError::Components { triangles, first } => {
                 let sizes = listed(triangles, |size| size.to_string().into());
-                key::topology_components(triangles.len(), sizes)
+                key::topology_components(triangles.len(), sizes, *first)
             }
-            TopologyError::Unreferenced { vertex, count } => key::topology_unreferenced(*count, *vertex),
             TopologyError::Closed { genus } => key::topology_closed(*genus),
             TopologyError::NoLoop { asked, loops } => {
                 key::topology_no_loop(loops.len(), listed(loops, |each| each.into()), *asked)
@@ -45,6 +46,12 @@ impl From<&TopologyError> for Message {
             TopologyError::Loops { loops } => key::topology_loops(loops.len(), listed(loops, |each| each.into())),
             TopologyError::FlatHole { hole, count } => key::topology_flat_hole(*count, Message::from(hole)),
             TopologyError::Genus { genus } => key::topology_genus(*genus),
+            TopologyError::Several { faults } => {
+                let numbered =
+                    (1..).zip(faults).map(|(k, fault): (usize, _)| key::topology_fault(k, Message::from(fault)));
+                let all = Message::joined(numbered, key::both_clauses).map_or_else(|| "".into(), Value::from);
+                key::topology_several(faults.len(), all)
+            }
         }
     }
 }

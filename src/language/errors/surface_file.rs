@@ -1,20 +1,19 @@
 //! Messages for files that are not surfaces, with the place of the error, and for changes made while reading one.
 
 use crate::language::{Message, key};
-use crate::surface::{Fault, Item, MAX_BYTES, MAX_TRIANGLES, Place, SurfaceError, SurfaceNote, Unsupported};
+use crate::surface::{Fault, Item, MAX_BYTES, Place, SurfaceError, SurfaceNote, Unsupported};
 
 impl From<&SurfaceError> for Message {
     fn from(error: &SurfaceError) -> Self {
         match error {
             SurfaceError::TooLarge { bytes } => key::surface_file_too_large(*bytes, MAX_BYTES >> 20),
-            SurfaceError::TooManyTriangles { place } => {
-                key::surface_file_too_many_triangles(Message::from(place), MAX_TRIANGLES)
+            SurfaceError::TooMuchMemory { triangles, vertices, needed_mb, available_mb } => {
+                key::surface_file_too_much_memory(*triangles, *vertices, *needed_mb, *available_mb)
             }
             SurfaceError::UnknownFormat { extension } => key::surface_file_unknown_format(extension.as_str()),
             SurfaceError::NotANumber { place, found } => {
                 key::surface_file_not_a_number(Message::from(place), found.as_str())
             }
-            SurfaceError::NotFinite { place, vertex } => key::surface_file_not_finite(Message::from(place), *vertex),
             SurfaceError::Missing { place, what } => {
                 key::surface_file_missing(Message::from(place), Message::from(*what))
             }
@@ -39,6 +38,7 @@ impl From<&SurfaceNote> for Message {
             SurfaceNote::Welded { before, after } => key::surface_note_welded(*before, *after),
             SurfaceNote::LeftApart { vertices } => key::surface_note_left_apart(*vertices),
             SurfaceNote::DroppedFaces { count } => key::surface_note_dropped_faces(*count),
+            SurfaceNote::Unended => key::surface_note_unended().into(),
             SurfaceNote::Surplus { place } => key::surface_note_surplus(Message::from(place)),
         }
     }

@@ -22,7 +22,7 @@ keys_of_labels! {
     // mesh
     mesh_not_counter_clockwise, mesh_out_of_range,
     // surface
-    surface_file_no_triangles, topology_empty, item_glb_version, item_file_length, item_chunk_length, item_chunk_type,
+    surface_file_no_triangles, surface_note_unended, topology_empty, item_glb_version, item_file_length, item_chunk_length, item_chunk_type,
     item_json_chunk, item_default_scene, item_node, item_position, item_data, item_accessor, item_buffer_view,
     item_buffer, item_viewed_data, item_vertex, item_face, item_corner_count, item_off_keyword, item_off_number, item_vertex_count,
     item_face_count, item_list_length, item_property, item_list, item_vertex_coordinate, item_face_property,
@@ -105,21 +105,21 @@ keys_of_messages! {
     laplace_structure(reason); laplace_degenerate(x, y); laplace_degenerate_at(vertex);
     laplace_not_positive_definite(vertex); laplace_too_large(unknowns, megabytes); not_converged(residual);
     // surface
-    surface_file_too_large(bytes, limit); surface_file_too_many_triangles(place, limit);
+    surface_file_too_large(bytes, limit); surface_file_too_much_memory(triangles, vertices, needed, available);
     surface_file_unknown_format(extension); surface_file_not_a_number(place, found);
-    surface_file_not_finite(place, vertex); surface_file_missing(place, what);
+    surface_file_missing(place, what);
     surface_file_index_out_of_range(vertices, place, index);
     surface_file_unsupported(place, what); surface_note_triangulated(polygons); surface_note_welded(before, after);
     surface_note_left_apart(vertices); surface_note_dropped_faces(count); surface_note_surplus(place); topology_index_out_of_range(vertices, triangle, vertex);
-    topology_not_finite(vertex, limit); topology_too_small(extent, limit);
+    topology_not_finite(count, vertex, limit); topology_too_small(extent, limit);
     topology_repeated_corner(count, triangle, corners); topology_degenerate(count, triangle, corners);
     topology_duplicates(count, triangle, corners, other); topology_non_manifold_edge(count, start, end, triangles);
     topology_orientation(count, start, end, left, right); topology_one_sided(triangle);
-    topology_non_manifold_vertex(count, vertex, fans); topology_unreferenced(count, vertex); topology_closed(genus);
+    topology_non_manifold_vertex(count, vertex, fans); topology_closed(genus);
     topology_genus(genus); repair_dropped_triangles(count); repair_dropped_duplicates(count); repair_merged_vertices(count);
     repair_flipped_flat(count); repair_split_vertices(count); repair_joined(count); repair_oriented(count);
     repair_kept_largest(dropped, components); repair_dropped_vertices(count); surface_file_malformed(place, fault);
-    topology_components(count, sizes); topology_loops(count, loops); topology_no_loop(count, loops, asked); topology_flat_hole(count, hole);
+    topology_components(count, sizes, first); topology_several(count, faults); topology_fault(number, fault); topology_loops(count, loops); topology_no_loop(count, loops, asked); topology_flat_hole(count, hole);
     boundary_loop(length, vertices, first);
     repair_filled_hole(triangles); repair_filled_holes(holes, triangles); place_line(line); place_byte(offset);
     item_element(index, count); item_corner(index, count); item_vertex_property(name);

@@ -1,6 +1,6 @@
 //! Why a file is not a surface, and where in the file.
 
-use super::{Fault, Item, MAX_BYTES, MAX_TRIANGLES, Unsupported};
+use super::{Fault, Item, MAX_BYTES, Unsupported};
 use crate::counted::counted;
 use crate::surface::Place;
 
@@ -14,11 +14,20 @@ pub enum SurfaceError {
         /// Size of the file.
         bytes: usize,
     },
-    /// The surface has more than [`MAX_TRIANGLES`].
-    #[error("{place}: more than {MAX_TRIANGLES} triangles")]
-    TooManyTriangles {
-        /// The place of the first triangle beyond the limit.
-        place: Place,
+    /// The surface and its map take more memory than there is.
+    #[error(
+        "the surface has {triangles} triangles and {vertices} vertices, which take about {needed_mb} MB of memory; \
+         {available_mb} MB are available"
+    )]
+    TooMuchMemory {
+        /// The number of triangles.
+        triangles: usize,
+        /// The number of vertices.
+        vertices: usize,
+        /// The memory that the surface and its map take, in megabytes (10⁶ bytes).
+        needed_mb: usize,
+        /// The memory that there is.
+        available_mb: usize,
     },
     /// Neither the extension nor the first bytes determine the format.
     #[error("\".{extension}\" is no surface format that is known: obj, ply, stl, off, gltf, glb")]
@@ -33,14 +42,6 @@ pub enum SurfaceError {
         place: Place,
         /// The text there, shortened.
         found: String,
-    },
-    /// A coordinate that is NaN or infinite.
-    #[error("{place}: a coordinate of vertex {vertex} is not a finite number")]
-    NotFinite {
-        /// The place in the file.
-        place: Place,
-        /// The vertex, from 0.
-        vertex: usize,
     },
     /// A required part of the file is missing.
     #[error("{place}: {what} is missing")]

@@ -4,6 +4,8 @@ use super::scalar::{Cursor, Scalar};
 use super::{Fault, Item, Neighbor, Place, SurfaceError, Unsupported, gltf};
 use crate::surface::Surface;
 
+/// Signature, version and length.
+const HEADER: usize = 12;
 const JSON: u32 = 0x4E4F_534A;
 const BINARY: u32 = 0x004E_4942;
 
@@ -17,19 +19,27 @@ pub(super) fn read(bytes: &[u8], neighbor: &mut Neighbor) -> Result<Surface, Sur
     if version != 2.0 {
         return Err(SurfaceError::unsupported(Place::Byte(4), Unsupported::Version(version as u32)));
     }
-    cursor.skip(4, Item::FileLength)?;
+    let length = cursor.number(Scalar::U32, Item::FileLength)? as usize;
     let (mut document, mut buffer) = (None, None);
-    while cursor.offset < bytes.len() {
+    // what follows the length that the file says it has is padding
+    let end = if (HEADER..bytes.len()).contains(&length) { length } else { bytes.len() };
+    while cursor.offset < end {
         let length = cursor.number(Scalar::U32, Item::ChunkLength)? as usize;
         let kind = cursor.number(Scalar::U32, Item::ChunkType)? as u32;
         let start = cursor.offset;
         cursor.skip(length, Item::Chunk { length })?;
         let chunk = &bytes[start..cursor.offset];
         match kind {
-            JSON if document.is_none() => document = Some(chunk),
+            JSON if document.is_none() => document = Some(without_padding(chunk)),
             BINARY if buffer.is_none() => buffer = Some(chunk),
             _ => {}
         }
     }
     gltf::read(document.ok_or_else(|| SurfaceError::missing(Place::Byte(12), Item::JsonChunk))?, buffer, neighbor)
+}
+
+/// A text without the zeros that some programs fill it up with, where the standard has blanks.
+fn without_padding(text: &[u8]) -> &[u8] {
+    let end = text.iter().rposition(|&b| b != 0).map_or(0, |last| last + 1);
+    &text[..end]
 }

@@ -6,10 +6,10 @@
 
 use super::faces::Faces;
 use super::gltf_buffers::Buffers;
-use super::text::finite;
-use super::{Fault, Item, MAX_TRIANGLES, Neighbor, Place, SurfaceError, Unsupported};
+use super::{Fault, Item, Neighbor, Place, SurfaceError, Unsupported};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
+use crate::surface::survey::repeats;
 use glam::{DMat4, DQuat};
 use serde::Deserialize;
 
@@ -135,7 +135,7 @@ pub(super) fn read(bytes: &[u8], binary: Option<&[u8]>, neighbor: &mut Neighbor)
             }
         }
     }
-    Ok(faces.finish())
+    faces.finish()
 }
 
 fn part(name: &str) -> Place {
@@ -198,13 +198,9 @@ fn read_primitive(
     let accessor = primitive.attributes.position;
     let accessor = accessor.ok_or_else(|| SurfaceError::missing(place.clone(), Item::Position))?;
     let first = faces.vertices.len();
-    for point in buffers.points(accessor)? {
-        let vertex = faces.vertices.len();
-        faces.vertices.push(finite(transform.transform_point3(point), vertex, place.clone())?);
-    }
-    if faces.vertices.len() > 3 * MAX_TRIANGLES {
-        return Err(SurfaceError::TooManyTriangles { place: place.clone() });
-    }
+    faces.vertices.extend(buffers.points(accessor)?.into_iter().map(|point| transform.transform_point3(point)));
+    // nodes may place the same positions any number of times
+    faces.check_memory()?;
     let count = faces.vertices.len() - first;
     let indices = match primitive.indices {
         Some(accessor) => buffers.indices(accessor)?,
@@ -217,14 +213,18 @@ fn read_primitive(
     let mirrored = transform.determinant() < 0.0;
     let mut push = |a: usize, b: usize, c: usize| {
         let [a, b, c] = [a, b, c].map(|k| first as u32 + indices[k]);
-        faces.push(&if mirrored { [a, c, b] } else { [a, b, c] }, || place.clone())
+        // strips repeat corners to go on elsewhere
+        if mode == 4 || !repeats(&[a, b, c]) {
+            faces.push(&if mirrored { [a, c, b] } else { [a, b, c] });
+        }
     };
     let count = indices.len();
     match mode {
-        4 if count % 3 == 0 => (0..count / 3).try_for_each(|t| push(3 * t, 3 * t + 1, 3 * t + 2)),
-        5 => (2..count).try_for_each(|k| if k % 2 == 0 { push(k - 2, k - 1, k) } else { push(k - 1, k - 2, k) }),
-        6 => (2..count).try_for_each(|k| push(0, k - 1, k)),
-        4 => Err(SurfaceError::malformed(place.clone(), Fault::CornerCount { count })),
-        _ => Err(SurfaceError::malformed(place.clone(), Fault::Mode(mode))),
+        4 if count % 3 == 0 => (0..count / 3).for_each(|t| push(3 * t, 3 * t + 1, 3 * t + 2)),
+        5 => (2..count).for_each(|k| if k % 2 == 0 { push(k - 2, k - 1, k) } else { push(k - 1, k - 2, k) }),
+        6 => (2..count).for_each(|k| push(0, k - 1, k)),
+        4 => return Err(SurfaceError::malformed(place.clone(), Fault::CornerCount { count })),
+        _ => return Err(SurfaceError::malformed(place.clone(), Fault::Mode(mode))),
     }
+    Ok(())
 }

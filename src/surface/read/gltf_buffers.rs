@@ -2,7 +2,7 @@
 
 use super::gltf::{Document, Sparse};
 use super::scalar::Scalar;
-use super::{Fault, Item, MAX_TRIANGLES, Neighbor, Place, SurfaceError, Unsupported};
+use super::{Fault, Item, Neighbor, Place, SurfaceError, Unsupported};
 use crate::geometry::DVec3;
 use base64::alphabet::STANDARD;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
@@ -122,7 +122,7 @@ impl<'a> Buffers<'a> {
 const INDEX_TYPES: [(u32, Scalar); 3] = [(5121, Scalar::U8), (5123, Scalar::U16), (5125, Scalar::U32)];
 
 /// The most elements of an accessor without a buffer view, of which no file is the measure.
-const MAX_ELEMENTS: usize = 3 * MAX_TRIANGLES;
+const MAX_ELEMENTS: usize = 12_000_000;
 
 fn scalar_of(types: &[(u32, Scalar)], code: u32) -> Option<Scalar> {
     types.iter().find(|(known, _)| *known == code).map(|(_, scalar)| *scalar)

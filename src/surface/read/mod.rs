@@ -1,7 +1,8 @@
 //! Surfaces from files: OBJ, PLY, STL, OFF, glTF and GLB.
 //!
 //! The readers are our own and small: a surface needs positions and faces only. No input
-//! makes a reader panic, and readers access nothing but the given bytes. Crates considered instead:
+//! makes a reader panic, and readers access nothing but the given bytes, and the system's word on free memory where a
+//! surface is large. Crates considered instead:
 //!
 //! | crate | why not |
 //! |---|---|
@@ -19,6 +20,7 @@ mod gltf;
 mod gltf_buffers;
 mod gltf_embed;
 mod item;
+mod memory;
 mod obj;
 mod off;
 mod ply;
@@ -41,14 +43,10 @@ use text::lines;
 /// The largest accepted file size.
 pub const MAX_BYTES: usize = 512 << 20;
 
-/// The most triangles that a surface may have: their factor takes about 4 GB.
-pub const MAX_TRIANGLES: usize = 4_000_000;
-
 /// Reads a surface from a file's name and bytes.
 ///
-/// The extension decides the format (`obj`, `ply`, `stl`, `off`, `gltf`, `glb`); with any
-/// other, the first bytes do. Vertices that a program has split are merged (file `weld`). All objects of an OBJ file and the
-/// default scene of a glTF file are read. Cost O(bytes).
+/// The first bytes decide the format, and where they do not, the extension (`obj`, `ply`, `stl`, `off`, `gltf`, `glb`). Vertices that a program has split are merged (file `weld`). All objects of an OBJ file and the
+/// default scene of a glTF file are read. Refused are surfaces that take more memory than there is. Cost O(bytes).
 pub fn read_surface(file_name: &str, bytes: &[u8]) -> Result<Surface, SurfaceError> {
     read_surface_beside(file_name, bytes, &mut |_| None)
 }
@@ -62,11 +60,7 @@ pub fn read_surface_beside(file_name: &str, bytes: &[u8], neighbor: &mut Neighbo
     check_size(bytes.len())?;
     let decoded = decoded(bytes);
     let bytes = &*decoded;
-    let extension = extension_of(file_name);
-    let format = match ENDINGS.iter().position(|ending| *ending == extension) {
-        Some(k) => Format::ALL[k],
-        None => by_first_bytes(bytes).ok_or(SurfaceError::UnknownFormat { extension })?,
-    };
+    let format = format_of(file_name, bytes)?;
     let surface = match format {
         Format::Obj => obj::read(bytes),
         Format::Ply => ply::read(bytes),
@@ -98,7 +92,7 @@ pub fn check_size(bytes: usize) -> Result<(), SurfaceError> {
 }
 
 /// The formats, in the order of [`ENDINGS`].
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Format {
     Obj,
     Ply,
@@ -125,13 +119,24 @@ fn extension_of(file_name: &str) -> String {
     file_name.rsplit_once('.').map_or("", |(_, extension)| extension).to_ascii_lowercase()
 }
 
+/// The format of a file: that of its content, if it is known, or that of its name. A binary STL file begins with any words, and
+/// has zeros in the number after them.
+fn format_of(file_name: &str, bytes: &[u8]) -> Result<Format, SurfaceError> {
+    let extension = extension_of(file_name);
+    let named = ENDINGS.iter().position(|ending| *ending == extension).map(|k| Format::ALL[k]);
+    let may_be_stl = named == Some(Format::Stl) && bytes[..bytes.len().min(stl::HEADER)].contains(&0);
+    let begun = by_first_bytes(bytes).filter(|begun| !may_be_stl || !matches!(begun, Format::Obj | Format::Off));
+    begun.or(named).ok_or(SurfaceError::UnknownFormat { extension })
+}
+
 /// The format of a file that begins with these bytes.
 fn by_first_bytes(bytes: &[u8]) -> Option<Format> {
     let first = bytes.trim_ascii_start();
     let begins = |word: &str| first.starts_with(word.as_bytes());
-    let word = || lines(bytes).next().and_then(|line| line.words().next()).unwrap_or_default();
+    let line = lines(bytes).next();
+    let word = || line.and_then(|line| line.words().next()).unwrap_or_default();
     match first {
-        _ if begins("ply") => Some(Format::Ply),
+        _ if line.is_some_and(|line| line.words().eq([b"ply"])) => Some(Format::Ply),
         _ if begins("glTF") => Some(Format::Glb),
         _ if begins("{") => Some(Format::Gltf),
         _ if stl::begins_as_text(first) || stl::is_binary(bytes) => Some(Format::Stl),

@@ -22,8 +22,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
         let mut words = line.words();
         match words.next() {
             Some(b"v") => {
-                let point = line.point(&mut words, faces.vertices.len())?;
-                faces.vertices.push(point);
+                faces.vertices.push(line.point(&mut words)?);
             }
             Some(b"f") => {
                 corners.clear();
@@ -34,7 +33,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
                     }
                     corners.push((vertex - 1) as u32);
                 }
-                faces.push(&corners, || line.place())?;
+                faces.push(&corners);
             }
             _ => {}
         }
@@ -44,7 +43,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
         let vertices = faces.vertices.len();
         return Err(SurfaceError::IndexOutOfRange { place: Place::Line(line), index, vertices });
     }
-    Ok(faces.finish())
+    faces.finish()
 }
 
 /// The number, from 1, of the vertex in `7`, `7/3`, `7//2` or `-1` (the last one so far).

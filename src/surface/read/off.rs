@@ -2,7 +2,7 @@
 
 use super::faces::{Faces, vertex_of};
 use super::scalar::{Cursor, Scalar};
-use super::text::{Line, finite, lines, shown};
+use super::text::{Line, lines, shown};
 use super::{Item, Place, SurfaceError, Unsupported};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
@@ -21,8 +21,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     for _ in 0..vertices {
         let line = next(&mut all, last, Item::Vertex)?;
         last = line.number;
-        let point = line.point(&mut line.words(), faces.vertices.len())?;
-        faces.vertices.push(point);
+        faces.vertices.push(line.point(&mut line.words())?);
     }
     let rest: Vec<Line> = all.collect();
     let goes_on = rest.len() > count;
@@ -34,7 +33,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
         last = last.max(end);
     }
     faces.surplus = rest.next().map(|line| line.place());
-    Ok(faces.finish())
+    faces.finish()
 }
 
 /// Reads a face that begins on a line and may go on in `further` ones; the number of its last line.
@@ -44,7 +43,6 @@ fn read_face<'a>(
     faces: &mut Faces,
 ) -> Result<usize, SurfaceError> {
     let vertices = faces.vertices.len();
-    let first = line;
     let (mut line, mut words) = (line, line.words().collect::<Vec<_>>().into_iter());
     let wanted = line.count(&mut words, Item::CornerCount)?;
     let mut corners = Vec::new();
@@ -57,7 +55,7 @@ fn read_face<'a>(
             return Err(SurfaceError::missing(line.place(), Item::Corner { index: corners.len() + 1, count: wanted }));
         }
     }
-    faces.push(&corners, || first.place())?;
+    faces.push(&corners);
     Ok(line.number)
 }
 
@@ -137,18 +135,16 @@ fn read_binary(bytes: &[u8], keyword: &[u8]) -> Result<Surface, SurfaceError> {
         [Item::VertexCount, Item::FaceCount, Item::ElementCount].map(|what| whole(&mut cursor, what));
     let (vertices, count, others) = (vertices?, count?, others(keyword));
     let mut faces = Faces::default();
-    for vertex in 0..vertices {
-        let place = cursor.place();
+    for _ in 0..vertices {
         let mut point = [0.0; 3];
         for coordinate in &mut point {
             *coordinate = cursor.number(Scalar::F32, Item::OffNumber)?;
         }
         cursor.skip(others * Scalar::F32.size(), Item::OffNumber)?;
-        faces.vertices.push(finite(DVec3::from_array(point), vertex, place)?);
+        faces.vertices.push(DVec3::from_array(point));
     }
     let mut corners = Vec::new();
     for _ in 0..count {
-        let first = cursor.place();
         corners.clear();
         for index in 1..=whole(&mut cursor, Item::CornerCount)? {
             let place = cursor.place();
@@ -157,10 +153,10 @@ fn read_binary(bytes: &[u8], keyword: &[u8]) -> Result<Surface, SurfaceError> {
         }
         let colors = whole(&mut cursor, Item::OffNumber)?;
         cursor.skip(colors.saturating_mul(Scalar::F32.size()), Item::OffNumber)?;
-        faces.push(&corners, || first.clone())?;
+        faces.push(&corners);
     }
     faces.surplus = cursor.surplus();
-    Ok(faces.finish())
+    faces.finish()
 }
 
 /// The next number, a count.

@@ -7,8 +7,8 @@
 use super::faces::{Faces, vertex_of};
 use super::ply_header::{Body, Element, Encoding, Header, Property, Shape, header};
 use super::scalar::{Cursor, Scalar};
-use super::text::finite;
-use super::{Fault, Item, MAX_TRIANGLES, Place, SurfaceError};
+use super::text::{number, shown};
+use super::{Fault, Item, Place, SurfaceError};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
 
@@ -32,7 +32,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
         }
     }
     faces.surplus = numbers.surplus();
-    Ok(faces.finish())
+    faces.finish()
 }
 
 /// The unread rest of a text body.
@@ -131,8 +131,7 @@ impl<'a> Numbers<'a> {
                 if word.is_empty() {
                     return Err(SurfaceError::missing(place, what));
                 }
-                let number = std::str::from_utf8(word).ok().and_then(|text| text.parse().ok());
-                number.ok_or_else(|| SurfaceError::NotANumber { place, found: super::text::shown(word) })
+                number(word).ok_or_else(|| SurfaceError::NotANumber { place, found: shown(word) })
             }
         }
     }
@@ -171,9 +170,8 @@ fn read_vertices(element: &Element, numbers: &mut Numbers<'_>, faces: &mut Faces
             return Err(SurfaceError::missing(Place::Line(1), Item::VertexProperty(name)));
         }
     }
-    for vertex in 0..element.count {
+    for _ in 0..element.count {
         let mut point = DVec3::ZERO;
-        let mut place = numbers.place();
         for property in &element.properties {
             let coordinate = match property.name.as_str() {
                 "x" => &mut point.x,
@@ -186,11 +184,8 @@ fn read_vertices(element: &Element, numbers: &mut Numbers<'_>, faces: &mut Faces
             };
             let Shape::One(scalar) = property.shape else { continue };
             *coordinate = numbers.next(scalar, Item::VertexCoordinate)?;
-            if let Place::Line(_) = place {
-                place = numbers.place();
-            }
         }
-        faces.vertices.push(finite(point, vertex, place)?);
+        faces.vertices.push(point);
         numbers.end_row();
     }
     Ok(())
@@ -204,11 +199,11 @@ fn is_list(property: &Property) -> bool {
 /// The numbers of a list, each with its place.
 type List = [(f64, Place)];
 
-/// Calls `read` with the list of every row, the numbers as they are, each with its place, and with the place of the end.
+/// Calls `read` with the list of every row, the numbers as they are, each with its place.
 fn read_lists(
     element: &Element,
     numbers: &mut Numbers<'_>,
-    read: &mut dyn FnMut(&List, Place) -> Result<(), SurfaceError>,
+    read: &mut dyn FnMut(&List) -> Result<(), SurfaceError>,
 ) -> Result<(), SurfaceError> {
     if element.count > 0 && !element.properties.iter().any(is_list) {
         return Err(SurfaceError::missing(Place::Line(1), Item::FaceProperty));
@@ -226,11 +221,8 @@ fn read_lists(
                 let before = numbers.place();
                 let index = numbers.next(item, Item::FaceCorner)?;
                 list.push((index, numbers.place_of(before)));
-                if list.len() > MAX_TRIANGLES {
-                    return Err(SurfaceError::TooManyTriangles { place: numbers.place() });
-                }
             }
-            read(&list, numbers.place())?;
+            read(&list)?;
         }
         numbers.end_row();
     }
@@ -250,12 +242,13 @@ fn read_faces(
     faces: &mut Faces,
 ) -> Result<(), SurfaceError> {
     let mut corners = Vec::new();
-    read_lists(element, numbers, &mut |list, place| {
+    read_lists(element, numbers, &mut |list| {
         corners.clear();
         for index in list {
             corners.push(corner(index, vertices)?);
         }
-        faces.push(&corners, || place.clone())
+        faces.push(&corners);
+        Ok(())
     })
 }
 
@@ -265,10 +258,11 @@ fn read_strips(
     numbers: &mut Numbers<'_>,
     faces: &mut Faces,
 ) -> Result<(), SurfaceError> {
-    read_lists(element, numbers, &mut |list, place| {
+    read_lists(element, numbers, &mut |list| {
         list.split(|(index, _)| *index == -1.0).try_for_each(|strip| {
             let corners = strip.iter().map(|index| corner(index, vertices)).collect::<Result<Vec<_>, _>>()?;
-            faces.push_strip(&corners, || place.clone())
+            faces.push_strip(&corners);
+            Ok(())
         })
     })
 }

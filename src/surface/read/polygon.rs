@@ -16,11 +16,12 @@ const LEAST_TURNS: [f64; 2] = [1e-5, 1e-12];
 const MOST_EARS: usize = 1000;
 
 /// Appends the `corners.len() − 2` triangles of a polygon with at least 3 corners. Cost O(k), O(k²) and rarely more if it is
-/// not convex; of one with more than [`MOST_EARS`] corners O(k log k), if it is simple.
+/// not convex; of one with more than [`MOST_EARS`] corners O(k log k), if it is simple. One with a corner at no finite place
+/// becomes a fan.
 pub(super) fn triangulate(vertices: &[DVec3], corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
     let points = projected(vertices, corners);
     let mut rest: Vec<usize> = (0..corners.len()).collect();
-    if !is_convex(&points) {
+    if points.iter().all(|point| point.is_finite()) && !is_convex(&points) {
         if let Some(cut) = (corners.len() > MOST_EARS).then(|| polygon_triangles(&points).ok()).flatten() {
             triangles.extend(cut.into_iter().map(|triangle| triangle.map(|k| corners[k as usize])));
             return;

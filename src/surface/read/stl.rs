@@ -2,13 +2,13 @@
 
 use super::faces::Faces;
 use super::scalar::{Cursor, Scalar};
-use super::text::{finite, lines};
+use super::text::lines;
 use super::{Item, Place, SurfaceError};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
 
 /// 80 bytes without meaning, and the number of triangles.
-const HEADER: usize = 84;
+pub(super) const HEADER: usize = 84;
 /// Normal and three corners of 12 bytes each, and two bytes without meaning.
 const RECORD: usize = 50;
 
@@ -29,12 +29,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     let beginning = &bytes[..bytes.len().min(HEADER)];
     let text = begins_as_text(beginning) && !is_binary(bytes) && !beginning.contains(&0);
     let faces = if text { read_text(bytes) } else { read_binary(bytes) }?;
-    Ok(faces.finish())
+    faces.finish()
 }
 
 fn read_binary(bytes: &[u8]) -> Result<Faces, SurfaceError> {
     let mut cursor = Cursor { bytes, offset: 80, big_endian: false };
-    let count = cursor.number(Scalar::U32, Item::TriangleCount)? as usize;
+    let stated = cursor.number(Scalar::U32, Item::TriangleCount)? as u32;
+    // programs that do not know the number beforehand leave a placeholder
+    let count = if matches!(stated, 0 | u32::MAX) { (bytes.len() - HEADER) / RECORD } else { stated as usize };
     let mut faces = Faces::default();
     for triangle in 0..count {
         cursor.skip(12, Item::TriangleNormal)?;
@@ -46,42 +48,40 @@ fn read_binary(bytes: &[u8]) -> Result<Faces, SurfaceError> {
                 let what = Item::TriangleCorner { triangle, count };
                 *value = cursor.number(Scalar::F32, what).map_err(|_| SurfaceError::missing(place.clone(), what))?;
             }
-            let vertex = faces.vertices.len();
-            faces.vertices.push(finite(DVec3::from_array(point), vertex, place)?);
+            faces.vertices.push(DVec3::from_array(point));
         }
-        faces.push(&[first, first + 1, first + 2], || cursor.place())?;
+        faces.push(&[first, first + 1, first + 2]);
         cursor.skip(2, Item::TriangleEnd)?;
     }
     faces.surplus = cursor.surplus();
     Ok(faces)
 }
 
-/// Reads `vertex x y z` between `outer loop` and `endloop`; all other words are skipped.
+/// Reads `vertex x y z` between `outer loop` and `endloop`; all other words are skipped, whatever the number of solids. Some
+/// programs leave out `endsolid`.
 fn read_text(bytes: &[u8]) -> Result<Faces, SurfaceError> {
     let mut faces = Faces::default();
     let mut corners = Vec::new();
-    let (mut last, mut is_open) = (1, false);
+    let mut last = 1;
     for line in lines(bytes) {
         last = line.number;
         let mut words = line.words();
         match words.next().map(<[u8]>::to_ascii_lowercase).as_deref() {
             Some(b"vertex") => {
                 corners.push(faces.vertices.len() as u32);
-                let point = line.point(&mut words, faces.vertices.len())?;
-                faces.vertices.push(point);
+                faces.vertices.push(line.point(&mut words)?);
             }
             Some(b"endloop") => {
-                faces.push(&corners, || line.place())?;
+                faces.push(&corners);
                 corners.clear();
             }
-            Some(b"solid") => is_open = true,
-            Some(b"endsolid") => is_open = false,
+            Some(b"solid") => faces.is_unended = true,
+            Some(b"endsolid") => faces.is_unended = false,
             _ => {}
         }
     }
-    match (corners.is_empty(), is_open) {
-        (true, false) => Ok(faces),
-        (false, _) => Err(SurfaceError::missing(Place::Line(last), Item::Keyword("endloop"))),
-        (true, true) => Err(SurfaceError::missing(Place::Line(last), Item::Keyword("endsolid"))),
+    if corners.is_empty() {
+        return Ok(faces);
     }
+    Err(SurfaceError::missing(Place::Line(last), Item::Keyword("endloop")))
 }

@@ -24,12 +24,20 @@ pub(super) fn line_end(text: &[u8]) -> u8 {
     if returns > feeds { b'\r' } else { b'\n' }
 }
 
-/// The lines of `bytes` that contain more than blanks and a comment (from `#` on).
+/// A word as a number; NaN and infinity are numbers here, also as some programs write them, `-nan(ind)` and `1.#INF`.
+pub(super) fn number(word: &[u8]) -> Option<f64> {
+    let text = std::str::from_utf8(word).ok()?;
+    let is_none = || text.contains(".#") || text.to_ascii_lowercase().contains("nan(");
+    text.parse().ok().or_else(|| is_none().then_some(f64::NAN))
+}
+
+/// The lines of `bytes` that contain more than blanks and a comment (from `#` on, but for `1.#INF`).
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = Line<'_>> {
     let end = line_end(bytes);
     let numbered = bytes.split(move |&b| b == end).enumerate();
     let lines = numbered.map(|(k, line)| {
-        let end = line.iter().position(|&b| b == b'#').unwrap_or(line.len());
+        let begins = |k: &usize| line[*k] == b'#' && (*k == 0 || line[*k - 1] != b'.');
+        let end = (0..line.len()).find(begins).unwrap_or(line.len());
         Line { number: k + 1, bytes: line[..end].trim_ascii() }
     });
     lines.filter(|line| !line.bytes.is_empty())
@@ -44,24 +52,19 @@ impl<'a> Line<'a> {
         self.bytes.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
     }
 
-    /// The next three words as the position of vertex `vertex`.
-    pub(super) fn point(
-        &self,
-        words: &mut impl Iterator<Item = &'a [u8]>,
-        vertex: usize,
-    ) -> Result<DVec3, SurfaceError> {
+    /// The next three words as a position, which may be NaN or infinite.
+    pub(super) fn point(&self, words: &mut impl Iterator<Item = &'a [u8]>) -> Result<DVec3, SurfaceError> {
         let mut coordinates = [0.0; 3];
         for (value, name) in coordinates.iter_mut().zip(["x", "y", "z"]) {
             let missing = || SurfaceError::missing(self.place(), Item::Coordinate(name));
             *value = self.number_in(words.next().ok_or_else(missing)?)?;
         }
-        finite(DVec3::from_array(coordinates), vertex, self.place())
+        Ok(DVec3::from_array(coordinates))
     }
 
     /// A word as a number; NaN and infinity are numbers here.
     pub(super) fn number_in(&self, word: &[u8]) -> Result<f64, SurfaceError> {
-        let number = std::str::from_utf8(word).ok().and_then(|text| text.parse().ok());
-        number.ok_or_else(|| SurfaceError::NotANumber { place: self.place(), found: shown(word) })
+        number(word).ok_or_else(|| SurfaceError::NotANumber { place: self.place(), found: shown(word) })
     }
 
     /// A word as a whole number.
@@ -76,11 +79,6 @@ impl<'a> Line<'a> {
         let negative = || SurfaceError::malformed(self.place(), Fault::Count { what, found: shown(word) });
         usize::try_from(self.integer_in(word)?).map_err(|_| negative())
     }
-}
-
-/// The point, if it is finite.
-pub(super) fn finite(point: DVec3, vertex: usize, place: Place) -> Result<DVec3, SurfaceError> {
-    if point.is_finite() { Ok(point) } else { Err(SurfaceError::NotFinite { place, vertex }) }
 }
 
 /// The first characters of a word, for messages.

@@ -6,7 +6,8 @@
 //! surface has fewer parts or loops then.
 
 use crate::geometry::DVec3;
-use crate::surface::survey::connectivity;
+use crate::surface::edges::EdgeTable;
+use crate::surface::survey::{components, connectivity, repeats};
 use crate::surface::{Surface, SurfaceNote};
 use std::collections::HashMap;
 
@@ -45,16 +46,25 @@ fn is_disk(surface: &Surface) -> bool {
     connectivity(surface).is_ok_and(|found| found.check_disk(surface).is_ok())
 }
 
-/// The numbers of components and of boundary loops; largest where they cannot be counted.
+/// The numbers of components and of boundary loops; largest where they cannot be counted. Faults of single triangles leave the
+/// components; where an edge has more than two triangles, merging has joined what does not belong together.
 fn parts(surface: &Surface) -> (usize, usize) {
-    connectivity(surface).map_or((usize::MAX, usize::MAX), |found| (found.sizes.len(), found.loops.len()))
+    if let Ok(found) = connectivity(surface) {
+        return (found.sizes.len(), found.loops.len());
+    }
+    let triangles: Vec<_> = surface.triangles.iter().copied().filter(|corners| !repeats(corners)).collect();
+    let edges = EdgeTable::new(&triangles, surface.vertices.len());
+    let is_crowded = edges.edges().any(|edge| edge.len() > 2);
+    (if is_crowded { usize::MAX } else { components(&edges, triangles.len()).1.len() }, usize::MAX)
 }
 
-/// The larger side of the box around the vertices.
+/// The larger side of the box around the vertices of triangles; 0 if an index is out of range.
 fn extent(surface: &Surface) -> f64 {
     let ends = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    let (low, high) = surface.vertices.iter().fold(ends, |(low, high), &p| (low.min(p), high.max(p)));
-    (high - low).max_element()
+    let corners = surface.triangles.as_flattened().iter();
+    let places = corners.filter_map(|&v| surface.vertices.get(v as usize)).filter(|p| p.is_finite());
+    let (low, high) = places.fold(ends, |(low, high), &p| (low.min(p), high.max(p)));
+    (high - low).max_element().max(0.0)
 }
 
 /// The surface with vertices of triangles within `distance` of an earlier one merged into it; `None` if there are none. They
@@ -184,5 +194,13 @@ mod tests {
         assert_eq!(welded(twice.clone(), false), twice, "nothing is split");
         let joined = welded(soup(&twice, 0.0), false);
         assert_eq!(joined.vertices.len(), twice.vertices.len());
+        // with a triangle without area, which a repair drops
+        let mut flat = soup(&whole, 0.0);
+        let last = flat.vertices.len() as u32;
+        flat.vertices.extend([flat.vertices[0], flat.vertices[1], flat.vertices[0]]);
+        flat.triangles.push([last, last + 1, last + 2]);
+        let joined = welded(flat, false);
+        assert_eq!(joined.vertices.len(), whole.vertices.len());
+        assert_eq!(SurfaceMesh::repaired(&joined).unwrap().mesh().triangles().len(), whole.triangles.len());
     }
 }
