@@ -180,7 +180,9 @@ pub(super) fn fans(triangles: &[[u32; 3]], edges: &EdgeTable, twins: &[u32], ver
         }
     }
     for edge in edges.edges().filter(|edge| edge.len() > 2) {
-        ends(triangles, edge[0].1).into_iter().for_each(|v| fans[v as usize] = 0);
+        for v in ends(triangles, edge[0].1) {
+            fans[v as usize] = 0;
+        }
     }
     fans
 }
