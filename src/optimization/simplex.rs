@@ -127,6 +127,33 @@ mod tests {
         assert!(place.distance(bottom) < 1e-5 && count < 400, "{place} after {count}");
     }
 
+    /// The steps of Nelder and Mead (1965) from the corners 0, x, y, z with the values 0, 1, 2, 4: the worst one is z, and
+    /// the middle of the others (⅓, ⅓, 0).
+    #[test]
+    fn each_answer_leads_to_the_step_of_the_method() {
+        let begun = || {
+            let mut simplex = Simplex::new((DVec3::ZERO, 0.0), 1.0, 1e-6);
+            [1.0, 2.0, 4.0].into_iter().for_each(|value| simplex.answer(value));
+            simplex
+        };
+        let asked = |answers: &[f64]| {
+            let mut simplex = begun();
+            answers.iter().for_each(|&value| simplex.answer(value));
+            simplex.question().unwrap()
+        };
+        let near = |place: DVec3, x: f64, y: f64, z: f64| {
+            assert!(place.distance(DVec3::new(x, y, z)) < 1e-15, "{place}");
+        };
+        let third = 1.0 / 3.0;
+        near(asked(&[]), 2.0 * third, 2.0 * third, -1.0);
+        near(asked(&[-1.0]), 1.0, 1.0, -2.0); // better than the best one: expanded
+        near(asked(&[3.0]), 0.5, 0.5, -0.5); // worse than all but the worst one: contracted outside
+        near(asked(&[5.0]), third / 2.0, third / 2.0, 0.5); // worse than all: contracted inside
+        near(asked(&[5.0, 6.0]), 0.5, 0.0, 0.0); // that is no better: shrunk to the best one
+        // between the best one and the second worst one it replaces the worst one, y is then the worst one
+        near(asked(&[0.5]), 10.0 / 9.0, -5.0 / 9.0, -2.0 * third);
+    }
+
     #[test]
     fn places_without_a_value_are_avoided_and_the_first_is_never_given_up_for_worse() {
         let wall = |p: DVec3| if p.x < 0.1 { f64::NAN } else { (p - DVec3::new(0.2, 0.0, 0.0)).length() };
