@@ -1,10 +1,11 @@
 //! Export of maps to files, for the command line and the app. Pure: turns maps into bytes, without I/O.
 //!
-//! `flattened`: surfaces with texture coordinates; `glb`: as a self-contained glTF file. `numbers`: tables and meshes of maps between any two sides.
+//! `flattened`: surfaces with texture coordinates; `as_read`: in their own files; `glb`: as a self-contained glTF file. `numbers`: tables and meshes of maps between any two sides.
 //! `formula`: maps as rational functions, in numbers and code. `drawing`: vector graphics of the planar parts of a map,
 //! with the pattern lines of `ruling` and `tiles`; `grid`: orthogonal grids; `projection`: map projections, with the
 //! numbers of `projected`; `hatching`: what a map does not cover.
 
+mod as_read;
 mod drawing;
 mod flattened;
 mod format;
@@ -19,6 +20,7 @@ mod projection;
 mod ruling;
 mod tiles;
 
+pub use as_read::SurfaceSource;
 pub use drawing::{Panel, Part, Wire, panels, parts, svg};
 pub use flattened::{Division, Flattened, Placement};
 pub use format::FileFormat;
