@@ -82,6 +82,15 @@ pub(super) fn encode(
     file.bytes(document)
 }
 
+/// The file of a surface with coordinates in space, which are the attribute `_SOURCE`, as they are.
+pub(super) fn encode_mapped(vertices: &[DVec3], triangles: &[[u32; 3]], source: &[DVec3]) -> Vec<u8> {
+    let mut file = File::default();
+    let (frame, mut attributes) = file.shape(&Shape { vertices, triangles });
+    attributes["_SOURCE"] = file.vectors(source).into();
+    let indices = file.indices(triangles);
+    file.bytes(document(frame, &attributes, indices, false))
+}
+
 /// One mesh in a scene, with a material.
 fn document(frame: (DVec3, f64), attributes: &Value, indices: usize, has_picture: bool) -> Value {
     json!({
