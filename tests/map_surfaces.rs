@@ -86,6 +86,55 @@ fn between_two_surfaces_the_images_lie_on_the_other_one() {
     succeeds(&["map", &file, "preset:hemisphere:60", "--json"]);
 }
 
+/// A bumpy sheet whose vertices are numbered from the last to the first, after one in no face.
+fn sheet() -> (String, Vec<String>) {
+    let place = |k: i32| format!("{} {} {}", k % 5, k / 5, f64::from(k * k % 7) / 9.0);
+    let places: Vec<String> = std::iter::once(String::from("9 9 9")).chain((0..25).rev().map(place)).collect();
+    let vertices: Vec<String> = places.iter().map(|place| format!("v {place}\n")).collect();
+    let number = |k: usize| 26 - k;
+    let face = |k: usize| format!("f {} {} {} {}\n", number(k), number(k + 1), number(k + 6), number(k + 5));
+    let faces: Vec<String> = (0..20).filter(|k| k % 5 < 4).map(face).collect();
+    (vertices.concat() + &faces.concat(), places)
+}
+
+#[test]
+fn files_of_a_mapped_surface_are_in_the_order_of_its_own() {
+    let folder = folder("order");
+    let (text, places) = sheet();
+    let file = support::program::file(&folder, "sheet.obj", &text);
+    let out = ["map.obj", "map.ply", "map.glb"].map(|name| folder.join(name).display().to_string());
+    let outs: Vec<&str> = out.iter().flat_map(|path| ["--out", path]).collect();
+    let rows = |k: usize, start: &str| -> Vec<String> {
+        let text = std::fs::read_to_string(&out[k]).unwrap();
+        text.lines().filter_map(|line| line.strip_prefix(start)).map(str::to_owned).collect()
+    };
+    let dome = "preset:hemisphere:60";
+    for (sides, direction, own) in [
+        ([&*file, dome], "forward", "vt "),
+        ([dome, &*file], "backward", "v "),
+        ([&*file, "preset:disk"], "forward", "v "),
+    ] {
+        succeeds(&[&["map", sides[0], sides[1], "--repair", "--direction", direction], &*outs].concat());
+        assert_eq!(rows(0, own), places, "{sides:?}");
+        assert_eq!((rows(0, "v ").len(), rows(0, "vt ").len(), rows(0, "f ").len()), (26, 26, 32));
+        let read = |path: &String| riemap::surface::read_surface(path, &std::fs::read(path).unwrap()).unwrap();
+        let [obj, ply, glb] = [&out[0], &out[1], &out[2]].map(read);
+        assert_eq!((obj.vertices(), obj.triangles()), (ply.vertices(), ply.triangles()), "{sides:?}");
+        let off =
+            |p: &riemap::geometry::DVec3| glb.vertices().iter().map(|q| q.distance(*p)).fold(f64::INFINITY, f64::min);
+        assert!(obj.vertices().iter().all(|p| off(p) < 1e-6), "{sides:?}");
+        if own == "vt " {
+            assert!(obj.vertices().iter().all(|p| (p.length() - 1.0).abs() < 0.02), "v lies on the dome");
+            let ends: Vec<String> = rows(1, "").into_iter().rev().skip(32).take(26).collect();
+            assert!(ends.iter().rev().zip(&places).all(|(row, place)| row.ends_with(place.as_str())), "{ends:?}");
+        }
+    }
+    for name in ["map.ply", "map.glb"] {
+        let out = folder.join(name).display().to_string();
+        fails(&["map", "preset:disk", "preset:square", "--out", &out], 2, &["between outlines", "obj"]);
+    }
+}
+
 #[test]
 fn every_column_of_an_odd_picture_is_drawn() {
     let file = folder("odd-width").join("map.png").display().to_string();

@@ -257,6 +257,11 @@ pub fn preset(name: &str) -> Option<SurfacePreset> {
 
 /// Reads `preset:NAME[:M]` or a file.
 pub fn read(name: &str) -> Result<Surface, CliError> {
+    read_with_bytes(name).map(|(surface, _)| surface)
+}
+
+/// As [`read`], with the content of the file if it is one.
+pub fn read_with_bytes(name: &str) -> Result<(Surface, Option<Vec<u8>>), CliError> {
     let input = |error: &dyn std::fmt::Display| CliError::Input(format!("{name}: {error}"));
     if let Some(preset) = name.strip_prefix("preset:") {
         let (preset, boundary) = preset.split_once(':').map_or((preset, None), |(preset, m)| (preset, Some(m)));
@@ -266,10 +271,11 @@ pub fn read(name: &str) -> Result<Surface, CliError> {
             Some(Ok(count @ 12..=4000)) => count,
             Some(_) => return Err(input(&"the number of boundary vertices must be from 12 to 4000")),
         };
-        return preset.surface(boundary).map_err(|error| input(&error));
+        return preset.surface(boundary).map(|surface| (surface, None)).map_err(|error| input(&error));
     }
     let bytes = read_file(name, MAX_BYTES)?;
     let folder = Path::new(name).parent().unwrap_or(Path::new(""));
     let mut neighbor = |file: &str| read_file(&folder.join(file).to_string_lossy(), MAX_BYTES).ok();
-    read_surface_beside(name, &bytes, &mut neighbor).map_err(|error| input(&error))
+    let surface = read_surface_beside(name, &bytes, &mut neighbor).map_err(|error| input(&error))?;
+    Ok((surface, Some(bytes)))
 }

@@ -16,7 +16,7 @@ use crate::conformal::{
     ConformalMap, Constraints, Direction, Extension, KernelMode, MapError, MapSettings, PerSide, Pins, PrepareSettings,
     PrepareTimings, Side,
 };
-use crate::export::{Panel, Ruling, boundary_csv, mapped_obj, panels, parts, svg};
+use crate::export::{FileFormat, Panel, Ruling, boundary_csv, mapped_mesh, panels, parts, svg};
 use crate::geometry::DVec3;
 use crate::optimization::Criterion;
 use std::path::PathBuf;
@@ -29,6 +29,7 @@ const GRID_CELLS: f64 = 12.0;
 pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
+    check_formats(&formats, &arguments.sides.names())?;
     let progress = Progress::new("reading");
     let Computed { map, constraints, pins, summary, table } =
         if arguments.sides.is_chain() { chain::compute(arguments, &progress)? } else { compute(arguments, &progress)? };
@@ -376,6 +377,20 @@ fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {
     }
 }
 
+/// Checks that files of surfaces are asked for of surfaces only.
+fn check_formats(formats: &[Format], names: &[&str]) -> Result<(), CliError> {
+    let is_planar = !names.iter().any(|name| is_surface(name));
+    match formats.iter().find(|format| is_planar && matches!(format, Format::Ply | Format::Glb)) {
+        Some(Format::Ply) => Err(planar_mesh("ply")),
+        Some(_) => Err(planar_mesh("glb")),
+        None => Ok(()),
+    }
+}
+
+fn planar_mesh(extension: &str) -> CliError {
+    CliError::Usage(format!("--out: a map between outlines is not written as .{extension}, but as .obj"))
+}
+
 /// What messages call the sides: by their names, with "source" and "target" where the names of two are the same, and
 /// with their numbers where those of several are.
 pub(super) fn titles(names: &[&str]) -> Vec<String> {
@@ -420,10 +435,16 @@ impl Scene<'_> {
         match format {
             Format::Json => tables::json(self.map, summary).map_err(|error| CliError::Input(error.to_string())),
             Format::Csv => Ok(boundary_csv(self.map).into_bytes()),
-            Format::Obj => Ok(mapped_obj(self.map).into_bytes()),
+            Format::Obj => self.mesh(FileFormat::Obj),
+            Format::Ply => self.mesh(FileFormat::Ply),
+            Format::Glb => self.mesh(FileFormat::Glb),
             Format::Svg => Ok(self.drawing().into_bytes()),
             Format::Png => self.picture(size),
         }
+    }
+
+    fn mesh(&self, format: FileFormat) -> Result<Vec<u8>, CliError> {
+        mapped_mesh(self.map, format).ok_or_else(|| planar_mesh(format.extension()))
     }
 
     /// The planar parts of the map as SVG, with a square grid on the source, on the only outline, or on the disk.

@@ -43,7 +43,8 @@ pub struct MapArguments {
     /// auto: with adaptive samples and graded triangles, the defaults, and not with the table.
     #[arg(long, default_value = "auto")]
     pub refine: RefineArgument,
-    /// Write the map to this file; may be repeated; the extension selects the format: json, csv, obj, svg, png.
+    /// Write the map to this file; may be repeated; the extension selects the format: json, csv, obj, svg, png; with a
+    /// surface also ply and glb. The vertices of a mapped surface are in the order of its file.
     #[arg(long, value_name = "FILE")]
     pub out: Vec<PathBuf>,
     /// Points at which the map is evaluated.

@@ -37,6 +37,8 @@ pub enum Format {
     Json,
     Csv,
     Obj,
+    Ply,
+    Glb,
     Svg,
     Png,
 }
@@ -49,10 +51,12 @@ impl Format {
             "json" => Ok(Self::Json),
             "csv" => Ok(Self::Csv),
             "obj" => Ok(Self::Obj),
+            "ply" => Ok(Self::Ply),
+            "glb" => Ok(Self::Glb),
             "svg" => Ok(Self::Svg),
             "png" => Ok(Self::Png),
             _ => Err(CliError::Usage(format!(
-                "--out {}: the extension must be json, csv, obj, svg or png",
+                "--out {}: the extension must be json, csv, obj, ply, glb, svg or png",
                 path.display()
             ))),
         }

@@ -8,7 +8,7 @@
 //! three more columns of CSV, and in the `extras` of a GLB's mesh.
 
 use super::FileFormat;
-use super::glb::{self, Base, Mesh};
+use super::glb::{self, Base, Mesh, Shape};
 use crate::conformal::{ConformalMap, CornerCuts, Divided};
 use crate::geometry::{DVec2, DVec3};
 use crate::surface::SurfaceMesh;
@@ -36,6 +36,8 @@ pub enum Division {
 pub struct Flattened {
     vertices: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
+    /// For each triangle that of the surface as it was read from which it comes.
+    origins: Vec<u32>,
     /// `None` for vertices that a repair has dropped.
     coordinates: Vec<Option<DVec2>>,
     /// What the vertices divide that are not in the file; they are the last ones.
@@ -68,8 +70,12 @@ impl Flattened {
         let mut flattened = Self::placed(disk, cuts.triangles(), images, unit);
         flattened.vertices.extend(cuts.added().iter().map(|added| added.place));
         let parents = (disk.mesh().triangles().len()..cuts.triangles().len()).map(|k| (k, cuts.parent(k)));
-        let given = parents.filter(|(_, parent)| disk.origin_of_triangle(*parent).is_some());
-        flattened.triangles.extend(given.map(|(k, _)| cuts.triangles()[k].map(|v| number(disk, v))));
+        for (k, parent) in parents {
+            if let Some(origin) = disk.origin_of_triangle(parent) {
+                flattened.triangles.push(cuts.triangles()[k].map(|v| number(disk, v)));
+                flattened.origins.push(origin.number());
+            }
+        }
         let divided = |divides: Divided| match divides {
             Divided::Edge { ends, fraction } => Division::Edge(ends.map(|v| number(disk, v.number())), fraction),
             Divided::Triangle(triangle) => Division::Triangle(disk.triangle_origins()[triangle.index()]),
@@ -82,14 +88,37 @@ impl Flattened {
     fn placed(disk: &SurfaceMesh, triangles: &[[u32; 3]], images: Vec<Option<DVec2>>, unit: bool) -> Self {
         let placement = if unit { unit_box(&images) } else { Placement { origin: DVec2::ZERO, scale: 1.0 } };
         let placed = |image: DVec2| (image - placement.origin) * placement.scale;
-        let kept = triangles.iter().zip(disk.origins_of_triangles()).filter(|(_, origin)| origin.is_some());
+        let kept = triangles.iter().zip(disk.origins_of_triangles());
+        let (triangles, origins) =
+            kept.filter_map(|(t, origin)| Some((t.map(|v| number(disk, v)), origin?.number()))).unzip();
         Self {
             vertices: disk.origin_positions().collect(),
-            triangles: kept.map(|(t, _)| t.map(|v| number(disk, v))).collect(),
+            triangles,
+            origins,
             coordinates: images.into_iter().map(|image| image.map(placed)).collect(),
             divisions: Vec::new(),
             placement,
         }
+    }
+
+    /// The positions of all vertices.
+    pub(super) fn vertices(&self) -> &[DVec3] {
+        &self.vertices
+    }
+
+    /// Vertex triples.
+    pub(super) fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// For each triangle that of the surface as it was read from which it comes.
+    pub(super) fn origins(&self) -> &[u32] {
+        &self.origins
+    }
+
+    /// The texture coordinates of all vertices; `None` for those that a repair has dropped.
+    pub(super) fn coordinates(&self) -> &[Option<DVec2>] {
+        &self.coordinates
     }
 
     /// What the vertices divide that are not in the file, from the first one on.
@@ -111,7 +140,8 @@ impl Flattened {
     /// The surface as a GLB, with a picture as its base color if there is one.
     pub fn glb(&self, base: Option<&Base<'_>>) -> Vec<u8> {
         let coordinates: Vec<DVec2> = self.coordinates.iter().map(|uv| uv.unwrap_or_default()).collect();
-        let mesh = Mesh { vertices: &self.vertices, triangles: &self.triangles, coordinates: &coordinates };
+        let shape = Shape { vertices: &self.vertices, triangles: &self.triangles };
+        let mesh = Mesh { shape, coordinates: &coordinates };
         glb::encode(&mesh, self.placement, &self.divisions, base)
     }
 
@@ -121,13 +151,15 @@ impl Flattened {
         self.vertices.iter().copied().zip(coordinates)
     }
 
-    /// A line for each vertex that is not in the file; numbers count from `first`.
-    fn told(&self, text: &mut String, lead: &str, first: u32) {
+    /// A line for each vertex that divides something; numbers count from `first`, and are those of `number`.
+    pub(super) fn told(&self, text: &mut String, lead: &str, first: u32, number: &dyn Fn(u32) -> u32) {
         let from = self.vertices.len() - self.divisions.len();
-        for (vertex, division) in (from as u32 + first..).zip(&self.divisions) {
+        let number = |vertex| number(vertex) + first;
+        for (vertex, division) in (from as u32..).zip(&self.divisions) {
+            let vertex = number(vertex);
             let _ = match *division {
                 Division::Edge([a, b], fraction) => {
-                    writeln!(text, "{lead} vertex {vertex} divides the edge {} {} at {fraction}", a + first, b + first)
+                    writeln!(text, "{lead} vertex {vertex} divides the edge {} {} at {fraction}", number(a), number(b))
                 }
                 Division::Triangle(t) => {
                     writeln!(text, "{lead} vertex {vertex} is the middle of triangle {}", t + first)
@@ -139,7 +171,7 @@ impl Flattened {
     /// `vt k` belongs to `v k`.
     fn obj(&self) -> String {
         let mut text = String::from("# riemap: vertices in the order of the file, one vt for each\n");
-        self.told(&mut text, "#", 1);
+        self.told(&mut text, "#", 1, &|vertex| vertex);
         for (p, _) in self.rows() {
             let _ = writeln!(text, "v {} {} {}", p.x, p.y, p.z);
         }
@@ -154,7 +186,7 @@ impl Flattened {
 
     fn ply(&self) -> String {
         let mut text = String::from("ply\nformat ascii 1.0\ncomment riemap: s t are texture coordinates\n");
-        self.told(&mut text, "comment", 0);
+        self.told(&mut text, "comment", 0, &|vertex| vertex);
         let _ = write!(
             text,
             "element vertex {}\n\
@@ -219,7 +251,7 @@ impl Placement {
 }
 
 /// The number in the file of a vertex of the mesh; those that are not in the file follow.
-fn number(disk: &SurfaceMesh, vertex: u32) -> u32 {
+pub(super) fn number(disk: &SurfaceMesh, vertex: u32) -> u32 {
     let origins = disk.vertex_origins();
     origins
         .get(vertex as usize)

@@ -13,12 +13,18 @@ use super::flattened::{Division, Placement};
 use crate::geometry::{DVec2, DVec3};
 use serde_json::{Value, json};
 
-/// The surface to be written.
-pub(super) struct Mesh<'a> {
+/// Triangles in space.
+pub(super) struct Shape<'a> {
     /// Positions.
     pub vertices: &'a [DVec3],
     /// Vertex triples.
     pub triangles: &'a [[u32; 3]],
+}
+
+/// The surface to be written.
+pub(super) struct Mesh<'a> {
+    /// Positions and triangles.
+    pub shape: Shape<'a>,
     /// Texture coordinates in the layout, v up, one for each vertex.
     pub coordinates: &'a [DVec2],
 }
@@ -50,12 +56,9 @@ pub(super) fn encode(
     divisions: &[Division],
     base: Option<&Base<'_>>,
 ) -> Vec<u8> {
-    let (middle, size) = frame(mesh);
     let mut file = File::default();
-    let positions = file.positions(mesh, middle, size);
-    let normals = file.floats(&normals(mesh).iter().flat_map(DVec3::to_array).collect::<Vec<_>>(), 3);
+    let (frame, mut attributes) = file.shape(&mesh.shape);
     let layout: Vec<f64> = mesh.coordinates.iter().flat_map(|uv| [uv.x, 1.0 - uv.y]).collect();
-    let mut attributes = json!({ "POSITION": positions, "NORMAL": normals });
     if let Some(base) = base {
         let looked_up = |uv: &DVec2| (base.lookup)(placement.position(*uv)).to_array();
         attributes["TEXCOORD_0"] =
@@ -64,13 +67,8 @@ pub(super) fn encode(
     } else {
         attributes["TEXCOORD_0"] = file.floats(&layout, 2).into();
     }
-    let indices = file.indices(mesh.triangles);
-    let mut document = json!({
-        "asset": { "version": "2.0", "generator": "riemap" },
-        "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [node(middle, size)],
-        "meshes": [{ "primitives": [{ "attributes": attributes, "indices": indices, "material": 0 }] }],
-        "materials": [material(base.is_some())],
-    });
+    let indices = file.indices(mesh.shape.triangles);
+    let mut document = document(frame, &attributes, indices, base.is_some());
     if !divisions.is_empty() {
         document["meshes"][0]["extras"] = json!({ "divisions": divisions });
     }
@@ -84,7 +82,26 @@ pub(super) fn encode(
     file.bytes(document)
 }
 
-fn node(middle: DVec3, size: f64) -> Value {
+/// The file of a surface with coordinates in space, which are the attribute `_SOURCE`, as they are.
+pub(super) fn encode_mapped(vertices: &[DVec3], triangles: &[[u32; 3]], source: &[DVec3]) -> Vec<u8> {
+    let mut file = File::default();
+    let (frame, mut attributes) = file.shape(&Shape { vertices, triangles });
+    attributes["_SOURCE"] = file.vectors(source).into();
+    let indices = file.indices(triangles);
+    file.bytes(document(frame, &attributes, indices, false))
+}
+
+/// One mesh in a scene, with a material.
+fn document(frame: (DVec3, f64), attributes: &Value, indices: usize, has_picture: bool) -> Value {
+    json!({
+        "asset": { "version": "2.0", "generator": "riemap" },
+        "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [node(frame)],
+        "meshes": [{ "primitives": [{ "attributes": attributes, "indices": indices, "material": 0 }] }],
+        "materials": [material(has_picture)],
+    })
+}
+
+fn node((middle, size): (DVec3, f64)) -> Value {
     if (middle, size) == (DVec3::ZERO, 1.0) {
         return json!({ "mesh": 0, "name": "surface" });
     }
@@ -103,7 +120,7 @@ fn material(has_picture: bool) -> Value {
 }
 
 /// Unit normals, one for each vertex; (0, 0, 1) where there is none, as in no triangle.
-fn normals(mesh: &Mesh<'_>) -> Vec<DVec3> {
+fn normals(mesh: &Shape<'_>) -> Vec<DVec3> {
     let (_, size) = extent(mesh);
     let mut sums = vec![DVec3::ZERO; mesh.vertices.len()];
     for triangle in mesh.triangles {
@@ -118,7 +135,7 @@ fn normals(mesh: &Mesh<'_>) -> Vec<DVec3> {
 }
 
 /// The center and the largest extent of what the triangles cover.
-fn extent(mesh: &Mesh<'_>) -> (DVec3, f64) {
+fn extent(mesh: &Shape<'_>) -> (DVec3, f64) {
     let corners = mesh.triangles.iter().flatten().map(|&v| mesh.vertices[v as usize]);
     let (low, high) = corners.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
     (low.midpoint(high), (high - low).max_element())
@@ -126,7 +143,7 @@ fn extent(mesh: &Mesh<'_>) -> (DVec3, f64) {
 
 /// The origin and unit of the f32 coordinates: those of the surface's file, unless the triangles are so far from its
 /// origin, so large or so small that f32 would lose their shape.
-fn frame(mesh: &Mesh<'_>) -> (DVec3, f64) {
+fn frame(mesh: &Shape<'_>) -> (DVec3, f64) {
     const FARTHEST: f64 = 16.0;
     const SIZES: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
     let (middle, extent) = extent(mesh);
@@ -167,8 +184,21 @@ impl File {
         self.accessors.len() - 1
     }
 
+    /// An accessor of vectors in space; its number.
+    fn vectors(&mut self, values: &[DVec3]) -> usize {
+        self.floats(&values.iter().flat_map(DVec3::to_array).collect::<Vec<_>>(), 3)
+    }
+
+    /// The frame of a shape's positions, and the attributes with its positions and normals.
+    fn shape(&mut self, shape: &Shape<'_>) -> ((DVec3, f64), Value) {
+        let frame = frame(shape);
+        let positions = self.positions(shape, frame);
+        let normals = self.vectors(&normals(shape));
+        (frame, json!({ "POSITION": positions, "NORMAL": normals }))
+    }
+
     /// The positions, with their bounds, which glTF requires.
-    fn positions(&mut self, mesh: &Mesh<'_>, middle: DVec3, size: f64) -> usize {
+    fn positions(&mut self, mesh: &Shape<'_>, (middle, size): (DVec3, f64)) -> usize {
         // a vertex in no triangle may be anywhere
         let most = DVec3::splat(f64::from(f32::MAX));
         let places: Vec<DVec3> = mesh.vertices.iter().map(|&p| ((p - middle) / size).clamp(-most, most)).collect();
@@ -176,7 +206,7 @@ impl File {
             let rounded = p.as_vec3().as_dvec3();
             (low.min(rounded), high.max(rounded))
         });
-        let accessor = self.floats(&places.iter().flat_map(DVec3::to_array).collect::<Vec<_>>(), 3);
+        let accessor = self.vectors(&places);
         self.accessors[accessor]["min"] = json!(low.to_array());
         self.accessors[accessor]["max"] = json!(high.to_array());
         accessor
@@ -196,15 +226,20 @@ impl File {
         document["accessors"] = self.accessors.into();
         document["bufferViews"] = self.views.into();
         document["buffers"] = json!([{ "byteLength": self.buffer.len() }]);
-        let mut document = document.to_string().into_bytes();
-        document.resize(document.len().next_multiple_of(4), b' ');
-        let mut bytes = b"glTF\x02\0\0\0".to_vec();
-        bytes.extend((28 + document.len() as u32 + self.buffer.len() as u32).to_le_bytes());
-        for (kind, chunk) in [(b"JSON", &document), (b"BIN\0", &self.buffer)] {
-            bytes.extend((chunk.len() as u32).to_le_bytes());
-            bytes.extend(kind);
-            bytes.extend(chunk);
-        }
-        bytes
+        container(&document, &self.buffer)
     }
+}
+
+/// A GLB file of a document and its buffer, whose length is a multiple of 4.
+pub(super) fn container(document: &Value, buffer: &[u8]) -> Vec<u8> {
+    let mut document = document.to_string().into_bytes();
+    document.resize(document.len().next_multiple_of(4), b' ');
+    let mut bytes = b"glTF\x02\0\0\0".to_vec();
+    bytes.extend((28 + document.len() as u32 + buffer.len() as u32).to_le_bytes());
+    for (kind, chunk) in [(b"JSON", &*document), (b"BIN\0", buffer)] {
+        bytes.extend((chunk.len() as u32).to_le_bytes());
+        bytes.extend(kind);
+        bytes.extend(chunk);
+    }
+    bytes
 }

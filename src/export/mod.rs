@@ -1,10 +1,11 @@
 //! Export of maps to files, for the command line and the app. Pure: turns maps into bytes, without I/O.
 //!
-//! `flattened`: surfaces with texture coordinates; `glb`: as a self-contained glTF file. `numbers`: tables and meshes of maps between any two sides.
+//! `flattened`: surfaces with texture coordinates; `as_read`: in their own files; `glb`: as a self-contained glTF file. `numbers`: tables of maps between any two sides, `mapped`: their meshes.
 //! `formula`: maps as rational functions, in numbers and code. `drawing`: vector graphics of the planar parts of a map,
 //! with the pattern lines of `ruling` and `tiles`; `grid`: orthogonal grids; `projection`: map projections, with the
 //! numbers of `projected`; `hatching`: what a map does not cover.
 
+mod as_read;
 mod drawing;
 mod flattened;
 mod format;
@@ -12,6 +13,7 @@ mod formula;
 mod glb;
 mod grid;
 mod hatching;
+mod mapped;
 mod numbers;
 mod polylines;
 mod projected;
@@ -19,6 +21,7 @@ mod projection;
 mod ruling;
 mod tiles;
 
+pub use as_read::SurfaceSource;
 pub use drawing::{Panel, Part, Wire, panels, parts, svg};
 pub use flattened::{Division, Flattened, Placement};
 pub use format::FileFormat;
@@ -26,7 +29,8 @@ pub use formula::{FormulaFile, FormulaFormat};
 pub use glb::Base;
 pub use grid::GridFormat;
 pub use hatching::{hatched, hatching};
-pub use numbers::{boundary_csv, mapped_obj};
+pub use mapped::mapped_mesh;
+pub use numbers::boundary_csv;
 pub use polylines::Line;
 pub use projected::ProjectionReport;
 pub use projection::{ProjectionFormat, ScaleLines, scale_lines};

@@ -1,6 +1,6 @@
-//! The numbers of a map: its boundary correspondence as CSV, the mapped mesh as OBJ.
+//! The numbers of a map: its boundary correspondence as CSV.
 
-use crate::conformal::{ConformalMap, Direction, Places, Side};
+use crate::conformal::{ConformalMap, Side};
 use crate::outline::BoundaryPoint;
 use std::fmt::Write as _;
 
@@ -53,43 +53,6 @@ pub fn boundary_csv(map: &ConformalMap) -> String {
 
 fn axes(in_space: bool) -> &'static [&'static str] {
     if in_space { &["x", "y", "z"] } else { &["x", "y"] }
-}
-
-/// The mapped mesh, with a `vt` for each `v`, not scaled.
-///
-/// Between outlines and between surfaces, `v` lies on the target and `vt` on the source; with one surface `v` lies on
-/// the surface and `vt` in the plane. The vertices are in the order of the mesh: boundary first.
-/// Triangles that fill a hole are omitted.
-pub fn mapped_obj(map: &ConformalMap) -> String {
-    let (own, images) = (map.mapped().vertices(), map.image_places());
-    let (positions, coordinates, comment) = match (own, images, map.direction()) {
-        (Places::Space(_), Places::Plane(_), _) => (own, images, "v lies on the surface, vt in the plane (not scaled)"),
-        (_, _, Direction::Forward) => (images, own, "v lies in the target, vt are source coordinates (not scaled)"),
-        (_, _, Direction::Backward) => (own, images, "v lies in the target, vt are source coordinates (not scaled)"),
-    };
-    let mut text = format!("# riemap: {comment}\n");
-    put(&mut text, "v", positions, " 0");
-    put(&mut text, "vt", coordinates, "");
-    for [a, b, c] in map.given(map.mapped().triangles()).map(|t| t.map(|v| v + 1)) {
-        let _ = writeln!(text, "f {a}/{a} {b}/{b} {c}/{c}");
-    }
-    text
-}
-
-/// Writes a line for each position; planar positions are completed by `flat`.
-fn put(text: &mut String, keyword: &str, places: Places<'_>, flat: &str) {
-    match places {
-        Places::Plane(places) => {
-            for p in places {
-                let _ = writeln!(text, "{keyword} {} {}{flat}", p.x, p.y);
-            }
-        }
-        Places::Space(places) => {
-            for p in places {
-                let _ = writeln!(text, "{keyword} {} {} {}", p.x, p.y, p.z);
-            }
-        }
-    }
 }
 
 #[cfg(test)]

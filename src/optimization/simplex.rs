@@ -102,6 +102,7 @@ impl Simplex {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
 
@@ -133,12 +134,16 @@ mod tests {
     fn each_answer_leads_to_the_step_of_the_method() {
         let begun = || {
             let mut simplex = Simplex::new((DVec3::ZERO, 0.0), 1.0, 1e-6);
-            [1.0, 2.0, 4.0].into_iter().for_each(|value| simplex.answer(value));
+            for value in [1.0, 2.0, 4.0] {
+                simplex.answer(value);
+            }
             simplex
         };
         let asked = |answers: &[f64]| {
             let mut simplex = begun();
-            answers.iter().for_each(|&value| simplex.answer(value));
+            for &value in answers {
+                simplex.answer(value);
+            }
             simplex.question().unwrap()
         };
         let near = |place: DVec3, x: f64, y: f64, z: f64| {

@@ -50,8 +50,13 @@ pub use note::{Place, SurfaceNote};
 pub use preset::{SurfacePreset, UnknownSurfacePreset};
 #[cfg(feature = "io")]
 pub use read::{
-    ENDINGS, Fault, Item, MAX_BYTES, SurfaceError, Unsupported, check_size, embedded, names_format, read_surface,
-    read_surface_beside,
+    ENDINGS, Fault, Item, MAX_BYTES, SurfaceError, SurfaceFormat, Unsupported, check_size, embedded, names_format,
+    read_surface, read_surface_beside,
+};
+#[cfg(feature = "io")]
+pub(crate) use read::{
+    Element, Encoding, GlbChunks, GltfPart, ObjCorner, ObjFile, ObjLine, PlyFile, PlyValue, Property, Scalar, Shape,
+    decoded,
 };
 pub use repair::RepairNote;
 pub use survey::{MAX_COORDINATE, MIN_EXTENT};

@@ -1,7 +1,8 @@
 //! The written tables and meshes contain the map, and can be read back.
 
 use super::*;
-use crate::conformal::{Constraints, PreparedSide, SurfaceSettings, prepare, prepare_surface};
+use crate::conformal::{Constraints, Direction, PreparedSide, SurfaceSettings, prepare, prepare_surface};
+use crate::export::{FileFormat, mapped_mesh};
 use crate::geometry::{DVec2, DVec3};
 use crate::outline::{Preset, Sampling};
 use crate::surface::{SurfaceMesh, SurfacePreset};
@@ -22,6 +23,10 @@ fn map(direction: Direction) -> ConformalMap {
 
 fn rows(text: &str) -> Vec<Vec<f64>> {
     text.lines().skip(1).map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect()).collect()
+}
+
+fn mapped_obj(map: &ConformalMap) -> String {
+    String::from_utf8(mapped_mesh(map, FileFormat::Obj).unwrap()).unwrap()
 }
 
 /// The number of decreases in a column of arc-length fractions, which must lie in [0, 1].

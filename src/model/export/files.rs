@@ -1,7 +1,7 @@
 //! The map as a file of numbers or of vector graphics.
 
 use crate::conformal::{ConformalMap, Side};
-use crate::export::{Base, FileFormat, Flattened, Panel, Part, Ruling, boundary_csv, mapped_obj, parts, svg};
+use crate::export::{Base, FileFormat, Flattened, Panel, Part, Ruling, boundary_csv, mapped_mesh, parts, svg};
 use crate::language::{Message, key};
 use crate::model::export::picture_base::PictureBase;
 use crate::model::export::request::Layout;
@@ -40,10 +40,10 @@ pub fn file(model: &Model, request: FileRequest, picture: Option<&RgbaImage>) ->
         return surface_file(model, map.mapped_side(), request, picture);
     }
     let bytes = match request.format {
-        FileFormat::Svg if map.is_through_disk() => disks(model, map, request.side)?,
-        FileFormat::Svg => drawing(model, request.side)?,
-        FileFormat::Csv => boundary_csv(map),
-        FileFormat::Obj => mapped_obj(map),
+        FileFormat::Svg if map.is_through_disk() => disks(model, map, request.side)?.into_bytes(),
+        FileFormat::Svg => drawing(model, request.side)?.into_bytes(),
+        FileFormat::Csv => boundary_csv(map).into_bytes(),
+        FileFormat::Obj => mapped_mesh(map, request.format)?,
         FileFormat::Ply | FileFormat::Glb => {
             let format = request.format.extension();
             let refusal = if map.is_through_disk() { key::surfaces_map_format } else { key::planar_map_format };
@@ -51,7 +51,7 @@ pub fn file(model: &Model, request: FileRequest, picture: Option<&RgbaImage>) ->
         }
     };
     let name = format!("riemap.{}", request.format.extension());
-    Some(Ok(ReadyFile { name, bytes: bytes.into_bytes() }))
+    Some(Ok(ReadyFile { name, bytes }))
 }
 
 /// The surface as it was given, every vertex with its place in the outline.

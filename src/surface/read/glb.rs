@@ -11,6 +11,29 @@ const BINARY: u32 = 0x004E_4942;
 
 /// Reads the JSON chunk and the binary chunk; others are skipped.
 pub(super) fn read(bytes: &[u8], neighbor: &mut Neighbor) -> Result<Surface, SurfaceError> {
+    let GlbChunks { document, buffer } = GlbChunks::of(bytes)?;
+    gltf::read(document, buffer, neighbor)
+}
+
+/// The chunks of a file.
+pub(crate) struct GlbChunks<'a> {
+    /// The document.
+    pub document: &'a [u8],
+    /// Its first buffer, with up to 3 bytes of padding.
+    pub buffer: Option<&'a [u8]>,
+}
+
+impl<'a> GlbChunks<'a> {
+    /// Finds the chunks.
+    pub(crate) fn of(bytes: &'a [u8]) -> Result<Self, SurfaceError> {
+        let [document, buffer] = chunks(bytes)?;
+        let missing = || SurfaceError::missing(Place::Byte(12), Item::JsonChunk);
+        Ok(Self { document: document.ok_or_else(missing)?, buffer })
+    }
+}
+
+/// The JSON chunk and the binary chunk.
+fn chunks(bytes: &[u8]) -> Result<[Option<&[u8]>; 2], SurfaceError> {
     if !bytes.starts_with(b"glTF") {
         return Err(SurfaceError::malformed(Place::Byte(0), Fault::NotGlb));
     }
@@ -35,7 +58,7 @@ pub(super) fn read(bytes: &[u8], neighbor: &mut Neighbor) -> Result<Surface, Sur
             _ => {}
         }
     }
-    gltf::read(document.ok_or_else(|| SurfaceError::missing(Place::Byte(12), Item::JsonChunk))?, buffer, neighbor)
+    Ok([document, buffer])
 }
 
 /// A text without the zeros that some programs fill it up with, where the standard has blanks.

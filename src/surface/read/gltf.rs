@@ -18,8 +18,8 @@ use serde::Deserialize;
 pub(super) struct Document {
     scene: Option<usize>,
     scenes: Vec<Scene>,
-    nodes: Vec<Node>,
-    meshes: Vec<Mesh>,
+    pub nodes: Vec<Node>,
+    pub meshes: Vec<Mesh>,
     pub accessors: Vec<Accessor>,
     pub buffer_views: Vec<BufferView>,
     pub buffers: Vec<Buffer>,
@@ -34,8 +34,8 @@ struct Scene {
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-struct Node {
-    mesh: Option<usize>,
+pub(super) struct Node {
+    pub mesh: Option<usize>,
     children: Vec<usize>,
     matrix: Option<[f64; 16]>,
     translation: Option<[f64; 3]>,
@@ -45,23 +45,23 @@ struct Node {
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-struct Mesh {
-    primitives: Vec<Primitive>,
+pub(super) struct Mesh {
+    pub primitives: Vec<Primitive>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-struct Primitive {
-    attributes: Attributes,
-    indices: Option<usize>,
-    mode: Option<u32>,
+pub(super) struct Primitive {
+    pub attributes: Attributes,
+    pub indices: Option<usize>,
+    pub mode: Option<u32>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-struct Attributes {
+pub(super) struct Attributes {
     #[serde(rename = "POSITION")]
-    position: Option<usize>,
+    pub position: Option<usize>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -144,7 +144,7 @@ fn part(name: &str) -> Place {
 
 impl Document {
     /// The nodes of the default scene (of all roots if there is no scene) with their transforms.
-    fn placed_nodes(&self) -> Result<Vec<(usize, DMat4)>, SurfaceError> {
+    pub(super) fn placed_nodes(&self) -> Result<Vec<(usize, DMat4)>, SurfaceError> {
         let scene = self.scenes.get(self.scene.unwrap_or(0));
         let roots = match scene {
             Some(scene) => scene.nodes.clone(),

@@ -19,11 +19,14 @@ mod glb;
 mod gltf;
 mod gltf_buffers;
 mod gltf_embed;
+mod gltf_parts;
 mod item;
 mod memory;
 mod obj;
+mod obj_lines;
 mod off;
 mod ply;
+mod ply_file;
 mod ply_header;
 mod polygon;
 mod scalar;
@@ -35,8 +38,14 @@ use super::{Place, Surface};
 use crate::utf16;
 pub use error::SurfaceError;
 pub use fault::Fault;
+pub(crate) use glb::GlbChunks;
 pub use gltf_embed::embedded;
+pub(crate) use gltf_parts::GltfPart;
 pub use item::{Item, Unsupported};
+pub(crate) use obj_lines::{ObjCorner, ObjFile, ObjLine};
+pub(crate) use ply_file::{PlyFile, PlyValue};
+pub(crate) use ply_header::{Element, Encoding, Property, Shape};
+pub(crate) use scalar::Scalar;
 use std::borrow::Cow;
 use text::lines;
 
@@ -60,23 +69,23 @@ pub fn read_surface_beside(file_name: &str, bytes: &[u8], neighbor: &mut Neighbo
     check_size(bytes.len())?;
     let decoded = decoded(bytes);
     let bytes = &*decoded;
-    let format = format_of(file_name, bytes)?;
+    let format = SurfaceFormat::of(file_name, bytes)?;
     let surface = match format {
-        Format::Obj => obj::read(bytes),
-        Format::Ply => ply::read(bytes),
-        Format::Stl => stl::read(bytes),
-        Format::Off => off::read(bytes),
-        Format::Gltf => gltf::read(bytes, None, neighbor),
-        Format::Glb => glb::read(bytes, neighbor),
+        SurfaceFormat::Obj => obj::read(bytes),
+        SurfaceFormat::Ply => ply::read(bytes),
+        SurfaceFormat::Stl => stl::read(bytes),
+        SurfaceFormat::Off => off::read(bytes),
+        SurfaceFormat::Gltf => gltf::read(bytes, None, neighbor),
+        SurfaceFormat::Glb => glb::read(bytes, neighbor),
     }?;
     if surface.triangles.is_empty() {
         return Err(SurfaceError::NoTriangles);
     }
-    Ok(weld::welded(surface, matches!(format, Format::Stl | Format::Gltf | Format::Glb)))
+    Ok(weld::welded(surface, matches!(format, SurfaceFormat::Stl | SurfaceFormat::Gltf | SurfaceFormat::Glb)))
 }
 
 /// Text after a byte order mark, as editors put it, in UTF-8; anything else as it is.
-fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
+pub(crate) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
     if stl::is_binary(bytes) {
         return bytes.into();
     }
@@ -91,9 +100,10 @@ pub fn check_size(bytes: usize) -> Result<(), SurfaceError> {
     if bytes > MAX_BYTES { Err(SurfaceError::TooLarge { bytes }) } else { Ok(()) }
 }
 
-/// The formats, in the order of [`ENDINGS`].
+/// The formats of surfaces, in the order of [`ENDINGS`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Format {
+#[allow(missing_docs, reason = "the variants are the extensions")]
+pub enum SurfaceFormat {
     Obj,
     Ply,
     Stl,
@@ -102,8 +112,18 @@ enum Format {
     Glb,
 }
 
-impl Format {
+impl SurfaceFormat {
     const ALL: [Self; 6] = [Self::Obj, Self::Ply, Self::Stl, Self::Off, Self::Gltf, Self::Glb];
+
+    /// The format of a file: that of its content, if it is known, or that of its name. A binary STL file begins with any
+    /// words, and has zeros in the number after them.
+    pub fn of(file_name: &str, bytes: &[u8]) -> Result<Self, SurfaceError> {
+        let extension = extension_of(file_name);
+        let named = ENDINGS.iter().position(|ending| *ending == extension).map(|k| Self::ALL[k]);
+        let may_be_stl = named == Some(Self::Stl) && bytes[..bytes.len().min(stl::HEADER)].contains(&0);
+        let begun = by_first_bytes(bytes).filter(|begun| !may_be_stl || !matches!(begun, Self::Obj | Self::Off));
+        begun.or(named).ok_or(SurfaceError::UnknownFormat { extension })
+    }
 }
 
 /// The extensions that decide the format.
@@ -119,29 +139,19 @@ fn extension_of(file_name: &str) -> String {
     file_name.rsplit_once('.').map_or("", |(_, extension)| extension).to_ascii_lowercase()
 }
 
-/// The format of a file: that of its content, if it is known, or that of its name. A binary STL file begins with any words, and
-/// has zeros in the number after them.
-fn format_of(file_name: &str, bytes: &[u8]) -> Result<Format, SurfaceError> {
-    let extension = extension_of(file_name);
-    let named = ENDINGS.iter().position(|ending| *ending == extension).map(|k| Format::ALL[k]);
-    let may_be_stl = named == Some(Format::Stl) && bytes[..bytes.len().min(stl::HEADER)].contains(&0);
-    let begun = by_first_bytes(bytes).filter(|begun| !may_be_stl || !matches!(begun, Format::Obj | Format::Off));
-    begun.or(named).ok_or(SurfaceError::UnknownFormat { extension })
-}
-
 /// The format of a file that begins with these bytes.
-fn by_first_bytes(bytes: &[u8]) -> Option<Format> {
+fn by_first_bytes(bytes: &[u8]) -> Option<SurfaceFormat> {
     let first = bytes.trim_ascii_start();
     let begins = |word: &str| first.starts_with(word.as_bytes());
     let line = lines(bytes).next();
     let word = || line.and_then(|line| line.words().next()).unwrap_or_default();
     match first {
-        _ if line.is_some_and(|line| line.words().eq([b"ply"])) => Some(Format::Ply),
-        _ if begins("glTF") => Some(Format::Glb),
-        _ if begins("{") => Some(Format::Gltf),
-        _ if stl::begins_as_text(first) || stl::is_binary(bytes) => Some(Format::Stl),
-        _ if off::is_keyword(word()) => Some(Format::Off),
-        _ if obj::is_keyword(word()) => Some(Format::Obj),
+        _ if line.is_some_and(|line| line.words().eq([b"ply"])) => Some(SurfaceFormat::Ply),
+        _ if begins("glTF") => Some(SurfaceFormat::Glb),
+        _ if begins("{") => Some(SurfaceFormat::Gltf),
+        _ if stl::begins_as_text(first) || stl::is_binary(bytes) => Some(SurfaceFormat::Stl),
+        _ if off::is_keyword(word()) => Some(SurfaceFormat::Off),
+        _ if obj::is_keyword(word()) => Some(SurfaceFormat::Obj),
         _ => None,
     }
 }

@@ -47,7 +47,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
 }
 
 /// The number, from 1, of the vertex in `7`, `7/3`, `7//2` or `-1` (the last one so far).
-fn vertex_of(word: &[u8], line: Line<'_>, so_far: usize) -> Result<i64, SurfaceError> {
+pub(super) fn vertex_of(word: &[u8], line: Line<'_>, so_far: usize) -> Result<i64, SurfaceError> {
     let index = line.integer_in(word.split(|&b| b == b'/').next().unwrap_or_default())?;
     let vertex = if index < 0 { index.saturating_add(so_far as i64 + 1) } else { index };
     if (1..=i64::from(u32::MAX)).contains(&vertex) {
@@ -58,7 +58,7 @@ fn vertex_of(word: &[u8], line: Line<'_>, so_far: usize) -> Result<i64, SurfaceE
 
 /// Joins a line that ends in a backslash with the next one, unless the backslash is in a comment. The line
 /// feeds removed that way are added after the joined line, so that line numbers stay correct.
-fn joined(bytes: &[u8]) -> Cow<'_, [u8]> {
+pub(super) fn joined(bytes: &[u8]) -> Cow<'_, [u8]> {
     if !bytes.contains(&b'\\') {
         return bytes.into();
     }

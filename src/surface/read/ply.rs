@@ -15,9 +15,7 @@ use crate::surface::Surface;
 /// Reads text or binary PLY.
 pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     let Header { encoding, elements, body } = header(bytes)?;
-    let rows = elements.iter().filter(|element| !element.properties.is_empty());
-    let rows = rows.fold(0_usize, |sum, element| sum.saturating_add(element.count));
-    let mut numbers = Numbers::new(bytes, encoding, body, rows);
+    let mut numbers = Numbers::new(bytes, encoding, body, rows(&elements));
     let mut faces = Faces::default();
     // faces may precede the vertices that they name
     let of_vertices = elements.iter().filter(|element| element.name == "vertex");
@@ -35,8 +33,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     faces.finish()
 }
 
+/// The number of rows of the body.
+pub(super) fn rows(elements: &[Element]) -> usize {
+    let rows = elements.iter().filter(|element| !element.properties.is_empty());
+    rows.fold(0_usize, |sum, element| sum.saturating_add(element.count))
+}
+
 /// The unread rest of a text body.
-struct Words<'a> {
+pub(super) struct Words<'a> {
     rest: &'a [u8],
     /// The line where it begins.
     line: usize,
@@ -71,14 +75,14 @@ impl<'a> Words<'a> {
 }
 
 /// The numbers of the body in sequence, text or binary.
-enum Numbers<'a> {
+pub(super) enum Numbers<'a> {
     Text(Words<'a>),
     Binary(Cursor<'a>),
 }
 
 impl<'a> Numbers<'a> {
     /// The numbers of a body with so many rows.
-    fn new(bytes: &'a [u8], encoding: Encoding, body: Body, rows: usize) -> Self {
+    pub(super) fn new(bytes: &'a [u8], encoding: Encoding, body: Body, rows: usize) -> Self {
         match encoding {
             Encoding::Text => {
                 let Body { offset, line, line_end } = body;
@@ -100,7 +104,7 @@ impl<'a> Numbers<'a> {
     }
 
     /// Ends a row.
-    fn end_row(&mut self) {
+    pub(super) fn end_row(&mut self) {
         if let Self::Text(words) = self {
             words.end_row();
         }
@@ -122,7 +126,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    fn next(&mut self, scalar: Scalar, what: Item) -> Result<f64, SurfaceError> {
+    pub(super) fn next(&mut self, scalar: Scalar, what: Item) -> Result<f64, SurfaceError> {
         match self {
             Self::Binary(cursor) => cursor.number(scalar, what),
             Self::Text(words) => {
@@ -137,7 +141,7 @@ impl<'a> Numbers<'a> {
     }
 
     /// Reads the length of a list.
-    fn length(&mut self, scalar: Scalar) -> Result<usize, SurfaceError> {
+    pub(super) fn length(&mut self, scalar: Scalar) -> Result<usize, SurfaceError> {
         let place = self.place();
         let length = self.next(scalar, Item::ListLength)?;
         let whole = length >= 0.0 && length.fract() == 0.0 && length <= f64::from(u32::MAX);
@@ -192,7 +196,7 @@ fn read_vertices(element: &Element, numbers: &mut Numbers<'_>, faces: &mut Faces
 }
 
 /// Whether a property holds the corners of a face or of strips.
-fn is_list(property: &Property) -> bool {
+pub(super) fn is_list(property: &Property) -> bool {
     property.name == "vertex_indices" || property.name == "vertex_index"
 }
 

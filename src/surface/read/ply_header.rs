@@ -6,7 +6,7 @@ use super::{Fault, Item, Place, SurfaceError};
 
 /// How the numbers of the body are encoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Encoding {
+pub(crate) enum Encoding {
     Text,
     LittleEndian,
     BigEndian,
@@ -14,21 +14,21 @@ pub(super) enum Encoding {
 
 /// One number, or a list of numbers with its length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Shape {
+pub(crate) enum Shape {
     One(Scalar),
     List { length: Scalar, item: Scalar },
 }
 
 /// A property of an element.
-#[derive(Debug)]
-pub(super) struct Property {
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Property {
     pub name: String,
     pub shape: Shape,
 }
 
 /// An element, such as `vertex`.
-#[derive(Debug)]
-pub(super) struct Element {
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Element {
     pub name: String,
     pub count: usize,
     pub properties: Vec<Property>,
@@ -69,7 +69,7 @@ pub(super) fn header(bytes: &[u8]) -> Result<Header, SurfaceError> {
         match words.next() {
             Some(b"format") => encoding = Some(encoding_of(line, words.next())?),
             Some(b"element") => {
-                let name = shown(words.next().unwrap_or_default());
+                let name = String::from_utf8_lossy(words.next().unwrap_or_default()).into_owned();
                 let count = line.count(&mut words, Item::ElementCount)?;
                 elements.push(Element { name, count, properties: Vec::new() });
             }
@@ -84,6 +84,16 @@ pub(super) fn header(bytes: &[u8]) -> Result<Header, SurfaceError> {
     }
     let encoding = encoding.ok_or_else(|| SurfaceError::missing(Place::Line(2), Item::FormatLine))?;
     Ok(Header { encoding, elements, body })
+}
+
+/// The lines of a header that are remarks: comments and `obj_info`.
+pub(super) fn remarks(bytes: &[u8], body: Body) -> Vec<Vec<u8>> {
+    let lines = bytes[..body.offset].split(|&b| b == body.line_end).map(<[u8]>::trim_ascii);
+    let is_remark = |line: &&[u8]| {
+        let word = line.split(u8::is_ascii_whitespace).next();
+        matches!(word, Some(b"comment" | b"obj_info"))
+    };
+    lines.filter(is_remark).map(<[u8]>::to_vec).collect()
 }
 
 fn body(bytes: &[u8]) -> Result<Body, SurfaceError> {
@@ -131,7 +141,7 @@ fn property<'a>(line: Line<'a>, words: &mut impl Iterator<Item = &'a [u8]>) -> R
         Shape::One(scalar(first)?)
     };
     let name = words.next().ok_or_else(|| SurfaceError::missing(line.place(), Item::PropertyName))?;
-    Ok(Property { name: shown(name), shape })
+    Ok(Property { name: String::from_utf8_lossy(name).into_owned(), shape })
 }
 
 fn scalar_of(word: &[u8]) -> Option<Scalar> {

@@ -4,7 +4,7 @@ use super::{Item, Place, SurfaceError};
 
 /// The type of a number in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Scalar {
+pub(crate) enum Scalar {
     I8,
     U8,
     I16,
@@ -17,7 +17,7 @@ pub(super) enum Scalar {
 
 impl Scalar {
     /// Its size in bytes.
-    pub(super) fn size(self) -> usize {
+    pub(crate) fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
             Self::I16 | Self::U16 => 2,
@@ -26,12 +26,60 @@ impl Scalar {
         }
     }
 
+    /// Its name in PLY files.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::I8 => "char",
+            Self::U8 => "uchar",
+            Self::I16 => "short",
+            Self::U16 => "ushort",
+            Self::I32 => "int",
+            Self::U32 => "uint",
+            Self::F32 => "float",
+            Self::F64 => "double",
+        }
+    }
+
+    /// The nearest number of this type.
+    pub(crate) fn nearest(self, value: f64) -> f64 {
+        match self {
+            Self::I8 => f64::from(value.round() as i8),
+            Self::U8 => f64::from(value.round() as u8),
+            Self::I16 => f64::from(value.round() as i16),
+            Self::U16 => f64::from(value.round() as u16),
+            Self::I32 => f64::from(value.round() as i32),
+            Self::U32 => f64::from(value.round() as u32),
+            Self::F32 => f64::from(value as f32),
+            Self::F64 => value,
+        }
+    }
+
+    /// Appends the nearest number of this type.
+    pub(crate) fn encode(self, value: f64, big_endian: bool, bytes: &mut Vec<u8>) {
+        let whole = value.round();
+        let little = match self {
+            Self::I8 => (whole as i8).to_le_bytes().to_vec(),
+            Self::U8 => (whole as u8).to_le_bytes().to_vec(),
+            Self::I16 => (whole as i16).to_le_bytes().to_vec(),
+            Self::U16 => (whole as u16).to_le_bytes().to_vec(),
+            Self::I32 => (whole as i32).to_le_bytes().to_vec(),
+            Self::U32 => (whole as u32).to_le_bytes().to_vec(),
+            Self::F32 => (value as f32).to_le_bytes().to_vec(),
+            Self::F64 => value.to_le_bytes().to_vec(),
+        };
+        if big_endian {
+            bytes.extend(little.into_iter().rev());
+        } else {
+            bytes.extend(little);
+        }
+    }
+
     pub(super) fn is_float(self) -> bool {
         matches!(self, Self::F32 | Self::F64)
     }
 
     /// Decodes the number at the start of `bytes`; exact, since every type fits into an f64.
-    pub(super) fn decode(self, bytes: &[u8], big_endian: bool) -> Option<f64> {
+    pub(crate) fn decode(self, bytes: &[u8], big_endian: bool) -> Option<f64> {
         let mut little = [0_u8; 8];
         let own = little.get_mut(..self.size())?;
         own.copy_from_slice(bytes.get(..self.size())?);

@@ -35,15 +35,21 @@ pub(super) fn number(word: &[u8]) -> Option<f64> {
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = Line<'_>> {
     let end = line_end(bytes);
     let numbered = bytes.split(move |&b| b == end).enumerate();
-    let lines = numbered.map(|(k, line)| {
-        let begins = |k: &usize| line[*k] == b'#' && (*k == 0 || line[*k - 1] != b'.');
-        let end = (0..line.len()).find(begins).unwrap_or(line.len());
-        Line { number: k + 1, bytes: line[..end].trim_ascii() }
-    });
-    lines.filter(|line| !line.bytes.is_empty())
+    numbered.map(|(k, line)| Line::of(k + 1, line)).filter(|line| !line.bytes.is_empty())
+}
+
+/// The part of a line before its comment, which no "." precedes: "1.#QNAN" is a number.
+pub(super) fn without_comment(line: &[u8]) -> &[u8] {
+    let begins = |k: &usize| line[*k] == b'#' && (*k == 0 || line[*k - 1] != b'.');
+    &line[..(0..line.len()).find(begins).unwrap_or(line.len())]
 }
 
 impl<'a> Line<'a> {
+    /// The line without its comment, and without blanks around it.
+    pub(super) fn of(number: usize, line: &'a [u8]) -> Self {
+        Self { number, bytes: without_comment(line).trim_ascii() }
+    }
+
     pub(super) fn place(&self) -> Place {
         Place::Line(self.number)
     }

@@ -1,0 +1,121 @@
+//! The mapped mesh of a map as OBJ, PLY or GLB, not scaled.
+//!
+//! | sides | positions | coordinates |
+//! |---|---|---|
+//! | two outlines (OBJ only), two surfaces | on the target | on the source |
+//! | one surface | on the surface | in the plane |
+//!
+//! On surfaces, the vertices are those of the mapped one's file, all of them and in its order, as in [`Flattened`]; a vertex
+//! that a repair has dropped has no image and lies at that of the first vertex which has one. Between outlines they have the
+//! order of the mesh: boundary first. Triangles that fill a hole are omitted.
+//!
+//! Between surfaces, the coordinates on the source are `source_x`, `source_y`, `source_z` in PLY and the attribute `_SOURCE`
+//! in GLB, whose texture coordinates are planar.
+
+use super::{FileFormat, Flattened, flattened::number, glb};
+use crate::conformal::{ConformalMap, Direction, Places};
+use crate::geometry::DVec3;
+use crate::mesh::VertexId;
+use std::fmt::Write as _;
+
+/// The mesh in a file format; `None` in one that has no place for its coordinates.
+pub fn mapped_mesh(map: &ConformalMap, format: FileFormat) -> Option<Vec<u8>> {
+    if map.mapped().is_surface() && !map.is_through_disk() {
+        return Some(Flattened::new(map, false)?.encode(format));
+    }
+    let mesh = MappedMesh::of(map);
+    match format {
+        FileFormat::Obj => Some(mesh.obj().into_bytes()),
+        FileFormat::Ply if map.is_through_disk() => Some(mesh.ply().into_bytes()),
+        FileFormat::Glb if map.is_through_disk() => {
+            Some(glb::encode_mapped(&mesh.positions, &mesh.triangles, &mesh.coordinates))
+        }
+        _ => None,
+    }
+}
+
+/// A mesh with positions on the target and coordinates on the source, both in the plane or both in space.
+struct MappedMesh {
+    positions: Vec<DVec3>,
+    coordinates: Vec<DVec3>,
+    is_in_space: bool,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl MappedMesh {
+    fn of(map: &ConformalMap) -> Self {
+        let surface = map.mapped().surface().map(|meshed| meshed.surface());
+        let own = in_space(map.mapped().vertices());
+        let images = in_space(map.image_places());
+        let triangles = map.given(map.mapped().triangles()).copied();
+        let (own, images, triangles) = match surface {
+            Some(disk) => (
+                disk.origin_positions().collect(),
+                (0..disk.origin_count() as u32)
+                    .map(|origin| images.get(disk.number_of(VertexId::new(origin))?.index()).copied())
+                    .collect(),
+                triangles.map(|t| t.map(|v| number(disk, v))).collect(),
+            ),
+            None => (own, images.into_iter().map(Some).collect(), triangles.collect()),
+        };
+        let images = completed(images);
+        let (positions, coordinates) = match map.direction() {
+            Direction::Forward => (images, own),
+            Direction::Backward => (own, images),
+        };
+        Self { positions, coordinates, is_in_space: surface.is_some(), triangles }
+    }
+
+    /// `vt k` belongs to `v k`.
+    fn obj(&self) -> String {
+        let mut text = String::from("# riemap: v lies in the target, vt are source coordinates (not scaled)\n");
+        for p in &self.positions {
+            let _ = writeln!(text, "v {} {} {}", p.x, p.y, p.z);
+        }
+        for p in &self.coordinates {
+            let _ = if self.is_in_space {
+                writeln!(text, "vt {} {} {}", p.x, p.y, p.z)
+            } else {
+                writeln!(text, "vt {} {}", p.x, p.y)
+            };
+        }
+        for [a, b, c] in self.triangles.iter().map(|t| t.map(|v| v + 1)) {
+            let _ = writeln!(text, "f {a}/{a} {b}/{b} {c}/{c}");
+        }
+        text
+    }
+
+    fn ply(&self) -> String {
+        let mut text = String::from(
+            "ply\nformat ascii 1.0\n\
+             comment riemap: x y z lie in the target, source_x source_y source_z in the source\n",
+        );
+        let _ = writeln!(text, "element vertex {}", self.positions.len());
+        for name in ["x", "y", "z", "source_x", "source_y", "source_z"] {
+            let _ = writeln!(text, "property double {name}");
+        }
+        let faces = self.triangles.len();
+        let _ = write!(text, "element face {faces}\nproperty list uchar uint vertex_indices\nend_header\n");
+        for (p, q) in self.positions.iter().zip(&self.coordinates) {
+            let _ = writeln!(text, "{} {} {} {} {} {}", p.x, p.y, p.z, q.x, q.y, q.z);
+        }
+        for [a, b, c] in &self.triangles {
+            let _ = writeln!(text, "3 {a} {b} {c}");
+        }
+        text
+    }
+}
+
+/// The images, those of dropped vertices at the first one.
+fn completed(images: Vec<Option<DVec3>>) -> Vec<DVec3> {
+    let first = images.iter().flatten().next().copied().unwrap_or_default();
+    images.into_iter().map(|image| image.unwrap_or(first)).collect()
+}
+
+/// The positions, those in the plane at height 0.
+fn in_space(places: Places<'_>) -> Vec<DVec3> {
+    match places {
+        Places::Plane(places) => places.iter().map(|p| p.extend(0.0)).collect(),
+        Places::Space(places) => places.to_vec(),
+    }
+}
