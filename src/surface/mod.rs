@@ -56,7 +56,7 @@ pub use read::{
 #[cfg(feature = "io")]
 pub(crate) use read::{
     Element, Encoding, GlbChunks, GltfPart, ObjCorner, ObjFile, ObjLine, PlyFile, PlyValue, Property, Scalar, Shape,
-    decoded,
+    decoded, distinct,
 };
 pub use repair::RepairNote;
 pub use survey::{MAX_COORDINATE, MIN_EXTENT};

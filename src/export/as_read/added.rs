@@ -29,7 +29,9 @@ impl Added {
         // a copy is at exactly the place of a vertex
         let original = |vertex: u32| {
             let place = flattened.vertices()[vertex as usize].to_array().map(f64::to_bits);
-            numbers.of(if numbers.is_added(vertex) { at.get(&place).copied().unwrap_or_default() } else { vertex })
+            let known = if numbers.is_added(vertex) { at.get(&place).copied() } else { Some(vertex) };
+            // one that is not known is none, of which nothing is written
+            known.map_or(u32::MAX, |vertex| numbers.of(vertex))
         };
         let copied = copies.map(|vertex| vec![(original(vertex as u32), 1.0)]);
         let divided = flattened.divisions().iter().map(|division| match *division {

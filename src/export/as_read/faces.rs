@@ -3,7 +3,7 @@
 use super::Numbers;
 use crate::export::Flattened;
 use crate::geometry::{DVec2, DVec3};
-use crate::surface::Surface;
+use crate::surface::{Surface, distinct};
 use std::collections::BTreeMap;
 
 /// What is written in the place of a face. Vertices have their numbers in the file, counted from 0.
@@ -68,7 +68,9 @@ impl<'a> Faces<'a> {
     /// What is written in the place of the next face; `corners` are its vertices in the file. `None` if the surface has
     /// no such face.
     pub(super) fn next(&mut self, corners: &[u32]) -> Option<Written> {
-        let Some(count) = corners.len().checked_sub(2).filter(|&count| count > 0) else {
+        // as the reader counts: a quad that names a corner twice in a row is a triangle
+        let different = if corners.len() > 3 { distinct(corners).len() } else { corners.len() };
+        let Some(count) = different.checked_sub(2).filter(|&count| count > 0) else {
             return Some(Written::LeftOut);
         };
         let triangles = self.passed..self.passed + count;

@@ -144,7 +144,12 @@ impl Divided<'_> {
             uv.map_or([0.0, 0.0], |uv| [uv.x, 1.0 - uv.y])
         };
         let accessor = data.add_pairs(numbers.map(uv))?;
-        data.primitive(part.primitive)["attributes"]["TEXCOORD_0"] = accessor.into();
+        let primitive = data.primitive(part.primitive);
+        primitive["attributes"]["TEXCOORD_0"] = accessor.into();
+        // the compressed copy has the old coordinates
+        if let Some(extensions) = primitive.get_mut("extensions").and_then(Value::as_object_mut) {
+            extensions.remove("KHR_draco_mesh_compression");
+        }
         if triangles != part.triangles {
             let accessor = data.add_triangles(triangles)?;
             let primitive = data.primitive(part.primitive);
@@ -164,6 +169,9 @@ fn extend_attributes(part: &GltfPart, new: &[NewVertex], data: &mut GltfData) ->
     let attributes = primitive["attributes"].as_object()?.clone();
     for (name, accessor) in attributes {
         let mut elements = data.elements(accessor.as_u64()? as usize)?;
+        if elements.count()? != part.vertices {
+            return None;
+        }
         for NewVertex { weights, .. } in new {
             if MEANS.iter().any(|start| name.starts_with(start)) {
                 elements.mix(weights, name == "NORMAL")?;

@@ -65,10 +65,14 @@ impl GltfData {
             bytes: Vec::new(),
         };
         let size = elements.size()?;
-        let start = whole(&view["byteOffset"]) + whole(&accessor["byteOffset"]);
+        let start = whole(&view["byteOffset"]).checked_add(whole(&accessor["byteOffset"]))?;
         let stride = if view["byteStride"].is_null() { size } else { whole(&view["byteStride"]) };
+        if stride < size {
+            return None;
+        }
         for k in 0..whole(&accessor["count"]) {
-            elements.bytes.extend(self.buffer.get(start + k * stride..)?.get(..size)?);
+            let at = k.checked_mul(stride)?.checked_add(start)?;
+            elements.bytes.extend(self.buffer.get(at..)?.get(..size)?);
         }
         Some(elements)
     }
@@ -138,6 +142,11 @@ impl Elements {
     fn size(&self) -> Option<usize> {
         let kinds = ["SCALAR", "VEC2", "VEC3", "VEC4"];
         Some(self.scalar()?.size() * (1 + kinds.iter().position(|kind| *kind == self.kind)?))
+    }
+
+    /// The number of elements.
+    pub(super) fn count(&self) -> Option<usize> {
+        self.bytes.len().checked_div(self.size()?)
     }
 
     /// Appends a copy of an element.

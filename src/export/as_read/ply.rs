@@ -10,8 +10,8 @@ use crate::geometry::DVec2;
 use crate::surface::{Element, Encoding, PlyFile, PlyValue, Property, Scalar, Shape, decoded};
 use std::fmt::Write as _;
 
-/// The names of texture coordinates of vertices.
-const OF_VERTICES: [&str; 6] = ["s", "t", "u", "v", "texture_u", "texture_v"];
+/// The names of texture coordinates of vertices, which are so in pairs.
+const OF_VERTICES: [[&str; 2]; 3] = [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]];
 /// The names of texture coordinates of the corners of faces, and of their images.
 const OF_CORNERS: [&str; 2] = ["texcoord", "texnumber"];
 /// What is said in the header.
@@ -72,6 +72,14 @@ fn header(file: &PlyFile<'_>, flattened: &Flattened, numbers: &Numbers<'_>, elem
     text + "end_header\n"
 }
 
+/// The names of an element's texture coordinates. Beside w, u and v are a velocity.
+fn coordinates_of(element: &Element) -> Vec<&'static str> {
+    let is_there = |name: &str| element.properties.iter().any(|property| property.name == name);
+    let are_coordinates =
+        |pair: &&[&str; 2]| pair.iter().all(|name| is_there(name)) && !(pair[0] == "u" && is_there("w"));
+    OF_VERTICES.iter().filter(are_coordinates).flatten().copied().collect()
+}
+
 /// The rows so far.
 struct Writer<'a> {
     flattened: &'a Flattened,
@@ -98,7 +106,11 @@ impl Writer<'_> {
     /// Writes the vertices, with those that were added, and their texture coordinates.
     fn vertices(&mut self, element: Element, file: &mut PlyFile<'_>) -> Option<Element> {
         let coordinate = |name: &str| Property { name: name.to_owned(), shape: Shape::One(Scalar::F64) };
-        let is_kept = |property: &Property| !OF_VERTICES.contains(&property.name.as_str());
+        let dropped = coordinates_of(&element);
+        let is_kept = |property: &Property| !dropped.contains(&property.name.as_str());
+        if element.properties.iter().any(|property| is_kept(property) && ["s", "t"].contains(&property.name.as_str())) {
+            return None;
+        }
         let kept: Vec<bool> = element.properties.iter().map(is_kept).collect();
         let mut properties = element.properties.clone();
         properties.retain(is_kept);

@@ -189,8 +189,8 @@ mod tests {
     #[test]
     fn a_repair_that_is_offered_is_made_when_it_is_asked_for() {
         let (mut side, mut generations) = (SurfaceSide::default(), Generations::default());
-        let loose = b"v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 2 3 4\n".to_vec();
-        side.want_file(&SurfaceSpec::default(), SurfaceFiles::default().keep("loose.obj", loose));
+        let turned = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n".to_vec();
+        side.want_file(&SurfaceSpec::default(), SurfaceFiles::default().keep("turned.obj", turned));
         let request = side.preparation.take_request(f64::INFINITY, &mut generations).unwrap();
         assert_eq!(answer(&mut side, &request), None);
         assert_eq!(side.preparation.error.as_ref().unwrap().quick_fix, Some(QuickFix::RepairSurface));

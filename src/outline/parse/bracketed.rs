@@ -5,22 +5,32 @@ use crate::geometry::DVec2;
 const OPENING: [char; 3] = ['(', '[', '{'];
 const CLOSING: [char; 3] = [')', ']', '}'];
 
-/// The points, if the text is nothing but balanced brackets, of which the innermost hold two numbers each, and separators.
+/// The points, if the text is nothing but one list in balanced brackets, of which the innermost hold two numbers each, and
+/// separators.
 pub(super) fn points(text: &str) -> Option<Vec<DVec2>> {
     let mut points = Vec::new();
     let mut open = Vec::new();
+    // how many brackets are around all points, and whether the one next to them is closed
+    let (mut depth, mut is_over) = (None, false);
     // where the innermost bracket begins that is open
     let mut start = None;
     for (at, c) in text.char_indices() {
         if let Some(kind) = OPENING.iter().position(|&opening| opening == c) {
+            if start.is_some_and(|from: usize| !text[from..at].trim().is_empty()) {
+                return None;
+            }
             open.push(kind);
             start = Some(at + 1);
         } else if let Some(kind) = CLOSING.iter().position(|&closing| closing == c) {
             if open.pop() != Some(kind) {
                 return None;
             }
-            if let Some(from) = start.take() {
-                points.push(point(&text[from..at])?);
+            match start.take() {
+                Some(from) if !is_over && *depth.get_or_insert(open.len()) == open.len() => {
+                    points.push(point(&text[from..at])?);
+                }
+                Some(_) => return None,
+                None => is_over = true,
             }
         } else if start.is_none() && !is_separator(c) {
             return None;

@@ -13,7 +13,7 @@ pub(super) fn vertex_of(index: i64, vertices: usize, place: impl Fn() -> Place) 
 }
 
 /// The corners without those that are the same as the one before, around the polygon.
-fn distinct(corners: &[u32]) -> Vec<u32> {
+pub(crate) fn distinct(corners: &[u32]) -> Vec<u32> {
     let mut distinct = corners.to_vec();
     distinct.dedup();
     while distinct.len() > 1 && distinct.first() == distinct.last() {

@@ -8,14 +8,19 @@ use serde_json::Value;
 /// 2.0, section 3.6.1); and the indices of those files. `None` if it names none of them.
 pub fn embedded(document: &[u8], files: &[(&str, &[u8])]) -> Option<(Vec<u8>, Vec<usize>)> {
     let mut value: Value = serde_json::from_slice(document.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(document)).ok()?;
-    let mut used = Vec::new();
+    let mut used: Vec<usize> = Vec::new();
     for buffer in value.get_mut("buffers")?.as_array_mut()? {
-        let Some(uri) = buffer.get_mut("uri") else { continue };
-        let name = unescaped(uri.as_str()?);
+        let named = buffer.get("uri").and_then(Value::as_str).filter(|uri| !uri.starts_with("data:"));
+        let Some(name) = named.map(unescaped) else { continue };
         let leaf = name.rsplit(['/', '\\']).next().unwrap_or(&name);
-        if let Some(k) = files.iter().position(|(file, _)| *file == leaf) {
+        let mut found = (0..files.len()).filter(|&k| files[k].0 == leaf);
+        if let (Some(k), None) = (found.next(), found.next()) {
+            // two buffers of one name are in two folders, of which a drop does not tell
+            if used.contains(&k) {
+                return None;
+            }
             let data = BASE64.encode(files[k].1);
-            *uri = format!("data:application/octet-stream;base64,{data}").into();
+            buffer["uri"] = format!("data:application/octet-stream;base64,{data}").into();
             used.push(k);
         }
     }

@@ -3,6 +3,7 @@
 use super::gltf::{Document, Primitive};
 use super::gltf_buffers::Buffers;
 use super::{GlbChunks, Item, Place, SurfaceError};
+use crate::surface::survey::repeats;
 
 /// Triangles of a document: those of a mesh's primitive, placed by a node.
 #[derive(Debug)]
@@ -58,8 +59,11 @@ fn has_triangles(primitive: &Primitive) -> bool {
 fn triangles(primitive: &Primitive, indices: &[u32]) -> Vec<[u32; 3]> {
     let turned = |(k, &[a, b, c]): (usize, &[u32; 3])| if k.is_multiple_of(2) { [a, b, c] } else { [b, a, c] };
     match primitive.mode {
-        Some(5) => indices.array_windows().enumerate().map(turned).collect(),
-        Some(6) => indices.array_windows().skip(1).map(|&[b, c]| [indices[0], b, c]).collect(),
+        Some(5) => indices.array_windows().enumerate().map(turned).filter(|corners| !repeats(corners)).collect(),
+        Some(6) => {
+            let around = indices.array_windows().skip(1).map(|&[b, c]| [indices[0], b, c]);
+            around.filter(|corners| !repeats(corners)).collect()
+        }
         _ => indices.as_chunks().0.to_vec(),
     }
 }

@@ -37,6 +37,7 @@ mod weld;
 use super::{Place, Surface};
 use crate::utf16;
 pub use error::SurfaceError;
+pub(crate) use faces::distinct;
 pub use fault::Fault;
 pub(crate) use glb::GlbChunks;
 pub use gltf_embed::embedded;
@@ -146,10 +147,12 @@ fn by_first_bytes(bytes: &[u8]) -> Option<SurfaceFormat> {
     let line = lines(bytes).next();
     let word = || line.and_then(|line| line.words().next()).unwrap_or_default();
     match first {
+        // no text has so large a count of triangles in these bytes
+        _ if stl::is_binary(bytes) => Some(SurfaceFormat::Stl),
         _ if line.is_some_and(|line| line.words().eq([b"ply"])) => Some(SurfaceFormat::Ply),
         _ if begins("glTF") => Some(SurfaceFormat::Glb),
         _ if begins("{") => Some(SurfaceFormat::Gltf),
-        _ if stl::begins_as_text(first) || stl::is_binary(bytes) => Some(SurfaceFormat::Stl),
+        _ if stl::begins_as_text(first) => Some(SurfaceFormat::Stl),
         _ if off::is_keyword(word()) => Some(SurfaceFormat::Off),
         _ if obj::is_keyword(word()) => Some(SurfaceFormat::Obj),
         _ => None,

@@ -52,7 +52,7 @@ impl<'a> ObjFile<'a> {
     /// The lines in order. Errors: a corner is not a number.
     pub(crate) fn lines(&self) -> impl Iterator<Item = Result<ObjLine<'_>, SurfaceError>> {
         let end = line_end(&self.text);
-        let text = self.text.strip_suffix(&[end]).unwrap_or(&self.text);
+        let text = self.text.trim_ascii_end();
         let mut vertices = 0;
         text.split(move |&b| b == end).enumerate().map(move |(k, line)| {
             let read = read(k + 1, line.strip_suffix(b"\r").unwrap_or(line), vertices);

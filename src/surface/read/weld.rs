@@ -76,7 +76,10 @@ fn merged(surface: &Surface, distance: f64) -> Option<Surface> {
         *is_corner.get_mut(vertex as usize)? = true;
     }
     let mut known = Places { distance, cells: HashMap::with_capacity(before / 4), met: Vec::new() };
-    let number = |(&point, &is_corner): (&DVec3, &bool)| if is_corner { known.number(point) } else { known.add(point) };
+    // places that are no numbers are near to none
+    let number = |(&point, &is_corner): (&DVec3, &bool)| {
+        if is_corner && point.is_finite() { known.number(point) } else { known.add(point) }
+    };
     let numbers: Vec<u32> = surface.vertices.iter().zip(&is_corner).map(number).collect();
     let places = known.met;
     if places.len() == before {
