@@ -3,16 +3,11 @@
 //! The good poles stay where they are: with them and a support point less for each bad one the function interpolates as
 //! before, which costs nothing where the bad poles are next to zeros of their own. Where they are not, those inside are
 //! mirrored at the boundary, and the numerator is fitted again; its space then holds that of the good poles alone.
-//!
-//! Where the poles lie is first taken from their computed places. That none is missing, or on the other side, is then
-//! counted by the argument principle (`pole_count`); poles nearest to the boundary are removed until the count is 0.
 
 use super::fit::{Cancelled, Precision};
 use super::fitting::Fitting;
 use super::fixed_poles::{fitted, interpolated};
 use super::function::Rational;
-use super::pole_count::{Unresolved, poles_inside};
-use crate::geometry::sort_by_number;
 use num_complex::Complex64;
 
 /// A pole whose residue, over its distance from the samples, is below this share of the tolerance has a zero next to it
@@ -20,66 +15,10 @@ use num_complex::Complex64;
 const NO_EFFECT: f64 = 1e-3;
 /// An error without bad poles, in those with them, with which the numerator needs no fit.
 const WORSE: f64 = 1.2;
-/// How often poles that are counted inside, but are not found there, are removed.
-const MOST_RECOUNTS: usize = 8;
-
-/// A function whose computed poles all lie outside, with these poles.
-#[derive(Debug)]
-pub struct Remaining {
-    pub function: Rational,
-    pub poles: Vec<Complex64>,
-    /// The number of poles inside by the argument principle, or where it is left open.
-    pub inside: Result<u32, Unresolved>,
-}
 
 impl Fitting<'_> {
-    /// The function without its bad poles. `go_on` is asked before every step.
+    /// The function without its bad poles, and its poles. `go_on` is asked before every step.
     pub fn without_bad_poles(
-        &self,
-        function: Rational,
-        contains: &dyn Fn(Complex64) -> bool,
-        go_on: &mut dyn FnMut() -> bool,
-    ) -> Result<Remaining, Cancelled> {
-        let (function, poles) = self.without_computed(function, contains, go_on)?;
-        let mut rest = self.counted(function, poles);
-        for _ in 0..MOST_RECOUNTS {
-            if rest.inside == Ok(0) || rest.poles.is_empty() {
-                break;
-            }
-            let (bad, good) = self.suspects(&rest);
-            let function = self.with_good_poles(&rest.function, &bad, good, None);
-            let (function, poles) = self.without_computed(function, contains, go_on)?;
-            rest = self.counted(function, poles);
-        }
-        Ok(rest)
-    }
-
-    /// A function with these poles, and the number of those inside.
-    fn counted(&self, function: Rational, poles: Vec<Complex64>) -> Remaining {
-        let inside = poles_inside(&function, self.boundary, &self.samples);
-        Remaining { function, poles, inside }
-    }
-
-    /// As many poles as are counted inside, or the one that leaves the count open: those nearest to the boundary, or to
-    /// the place that is open. And the other poles.
-    fn suspects(&self, rest: &Remaining) -> (Vec<Complex64>, Vec<Complex64>) {
-        let mut poles = rest.poles.clone();
-        let count = match rest.inside {
-            Ok(count) => {
-                sort_by_number(&mut poles, |&pole| self.distance(pole));
-                count as usize
-            }
-            Err(Unresolved(place)) => {
-                sort_by_number(&mut poles, |&pole| (pole - place).norm());
-                1
-            }
-        };
-        let good = poles.split_off(count.min(poles.len()));
-        (poles, good)
-    }
-
-    /// The function without poles that are computed to be bad, and its poles.
-    fn without_computed(
         &self,
         mut function: Rational,
         contains: &dyn Fn(Complex64) -> bool,
@@ -138,12 +77,8 @@ impl Fitting<'_> {
 
     /// Whether a pole has a zero so near to it that no sample is moved.
     fn has_no_effect(&self, function: &Rational, pole: Complex64) -> bool {
-        function.residue(pole).norm() < NO_EFFECT * self.tolerance * self.distance(pole)
-    }
-
-    /// The distance from the nearest sample.
-    fn distance(&self, pole: Complex64) -> f64 {
-        self.samples.points.iter().map(|point| (point.z - pole).norm()).fold(f64::INFINITY, f64::min)
+        let distance = self.samples.points.iter().map(|point| (point.z - pole).norm()).fold(f64::INFINITY, f64::min);
+        function.residue(pole).norm() < NO_EFFECT * self.tolerance * distance
     }
 }
 

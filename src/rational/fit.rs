@@ -1,10 +1,8 @@
 //! Rational approximation on a boundary: AAA, points added where it is wrong between its points, poles inside removed.
 //!
 //! If r has no pole inside and f is analytic there, |f − r| is largest on the boundary, so an error that is measured
-//! there holds inside too (maximum principle). It is measured on ten times as many points as were fitted. That no pole
-//! lies inside is counted by the argument principle; a function for which that is not shown has no error, and no digit.
+//! there holds inside too (maximum principle). It is measured on ten times as many points as were fitted.
 
-use super::bad_poles::Remaining;
 use super::fitting::Fitting;
 use super::function::{Rational, rounded};
 use super::samples::Boundary;
@@ -67,7 +65,6 @@ impl Boundary for Rounded<'_> {
 pub struct Fit {
     function: Rational,
     poles: Vec<Complex64>,
-    poles_inside: Option<u32>,
     error: f64,
     extent: f64,
     jump: f64,
@@ -82,7 +79,7 @@ impl Fit {
     /// Fits the map of a boundary. `contains` says whether a point lies inside; `report` gets the share of the digits
     /// that is reached, before every step, and 1 before poles inside are removed; it returns whether to go on.
     ///
-    /// The error is not guaranteed to reach the goal: [`Self::error`] says what it is.
+    /// The error is not guaranteed to reach the goal: [`Self::error`] says what it is. No pole lies inside.
     pub fn new(
         boundary: &dyn Boundary,
         contains: &dyn Fn(Complex64) -> bool,
@@ -113,11 +110,9 @@ impl Fit {
         let mut fitting = Fitting::new(boundary, goal);
         let function = fitting.converge(report)?;
         let converged = fitting.error(&function);
-        let Remaining { function, poles, inside } =
-            fitting.without_bad_poles(function, contains, &mut || report(1.0))?;
-        let error = if inside == Ok(0) { fitting.measured(&function) } else { f64::INFINITY };
-        let (extent, jump) = (fitting.extent(), fitting.jump());
-        Ok((Self { function, poles, poles_inside: inside.ok(), error, extent, jump }, converged))
+        let (function, poles) = fitting.without_bad_poles(function, contains, &mut || report(1.0))?;
+        let error = fitting.measured(&function);
+        Ok((Self { function, poles, error, extent: fitting.extent(), jump: fitting.jump() }, converged))
     }
 
     /// r.
@@ -125,19 +120,12 @@ impl Fit {
         &self.function
     }
 
-    /// Its poles as they are computed, none of which lies inside.
+    /// Its poles, none of which lies inside.
     pub fn poles(&self) -> &[Complex64] {
         &self.poles
     }
 
-    /// The number of poles inside, counted by the argument principle without the computed ones; `None` if one is on the
-    /// boundary to rounding. 0 for every function with a digit.
-    pub fn poles_inside(&self) -> Option<u32> {
-        self.poles_inside
-    }
-
-    /// The largest error measured on the boundary, in the units of the values; infinite unless [`Self::poles_inside`] is
-    /// 0.
+    /// The largest error measured on the boundary, in the units of the values.
     pub fn error(&self) -> f64 {
         self.error
     }

@@ -25,7 +25,7 @@ const IMPROVED: f64 = 0.5;
 
 /// A fit in the making.
 pub struct Fitting<'a> {
-    pub(super) boundary: &'a dyn Boundary,
+    boundary: &'a dyn Boundary,
     pub(super) samples: Samples,
     /// Absolute.
     pub(super) tolerance: f64,

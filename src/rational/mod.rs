@@ -2,10 +2,9 @@
 //!
 //! `aaa` is the AAA algorithm (Nakatsukasa, Sète and Trefethen 2018), on boundary pairs (z, f(z)) that `samples` clusters
 //! at the break points of both sides (Gopal and Trefethen, Numer. Math. 142 (2019)): corners of the source, and preimages of
-//! the target's. `fitting` adds pairs where the fit is wrong between them, `bad_poles` removes poles inside, and
-//! `pole_count` counts those that are left, by the argument principle. `matched` makes the pairs of a
-//! [`crate::conformal::ConformalMap`]. The error is measured on ten times as many pairs; by the maximum principle it holds
-//! inside too, since no pole lies there.
+//! the target's. `fitting` adds pairs where the fit is wrong between them, `bad_poles` removes poles inside. `matched` makes
+//! the pairs of a [`crate::conformal::ConformalMap`]. The error is measured on ten times as many pairs; by the maximum
+//! principle it holds inside too, since no pole lies there.
 
 mod aaa;
 mod bad_poles;
@@ -16,10 +15,6 @@ mod formula;
 mod function;
 mod least_squares;
 mod matched;
-mod pole_count;
-#[cfg(test)]
-#[allow(clippy::panic, clippy::unwrap_used, reason = "tests")]
-mod pole_count_tests;
 mod poles;
 mod samples;
 #[cfg(test)]

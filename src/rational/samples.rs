@@ -38,35 +38,6 @@ pub struct Sample {
     pub value: Complex64,
 }
 
-/// A part of a ray.
-#[derive(Debug, Clone, Copy)]
-pub struct Step {
-    ray: usize,
-    offsets: [f64; 2],
-    ends: [Complex64; 2],
-}
-
-impl Step {
-    /// z at both ends.
-    pub fn ends(&self) -> [Complex64; 2] {
-        self.ends
-    }
-
-    /// A point in the middle.
-    pub fn middle(&self, boundary: &dyn Boundary) -> Sample {
-        sample(boundary, self.ray, offset_between(self.offsets[0], self.offsets[1], 0.5))
-    }
-
-    /// The parts before and behind a point.
-    pub fn halves(&self, middle: Sample) -> [Self; 2] {
-        let ([from, to], [first, last]) = (self.offsets, self.ends);
-        [
-            Self { ray: self.ray, offsets: [from, middle.offset], ends: [first, middle.z] },
-            Self { ray: self.ray, offsets: [middle.offset, to], ends: [middle.z, last] },
-        ]
-    }
-}
-
 /// Points in the order of the boundary.
 #[derive(Debug, Clone)]
 pub struct Samples {
@@ -178,26 +149,20 @@ impl Samples {
 
     /// `count` points between point `k` and the next one.
     pub fn between(&self, boundary: &dyn Boundary, k: usize, count: usize) -> Vec<Sample> {
-        let Step { ray, offsets: [from, to], .. } = self.step(k);
+        let (a, b) = (&self.points[k], &self.points[(k + 1) % self.points.len()]);
+        let (ray, from, to) = if a.ray == b.ray {
+            (a.ray, a.offset, b.offset)
+        } else if a.ray % 2 == 0 {
+            // over the middle of an arc
+            (b.ray, 1.0, b.offset)
+        } else {
+            (a.ray, a.offset, 0.0)
+        };
         let at = |part: usize| {
             let share = part as f64 / (count + 1) as f64;
             sample(boundary, ray, offset_between(from, to, share))
         };
         (1..=count).map(at).collect()
-    }
-
-    /// The step from point `k` to the next one.
-    pub fn step(&self, k: usize) -> Step {
-        let (a, b) = (&self.points[k], &self.points[(k + 1) % self.points.len()]);
-        let (ray, offsets) = if a.ray == b.ray {
-            (a.ray, [a.offset, b.offset])
-        } else if a.ray % 2 == 0 {
-            // over the middle of an arc
-            (b.ray, [1.0, b.offset])
-        } else {
-            (a.ray, [a.offset, 0.0])
-        };
-        Step { ray, offsets, ends: [a.z, b.z] }
     }
 
     /// How far values between point `k` and the next one may be from those at the rounded z, by the slope.

@@ -5,9 +5,9 @@ use num_complex::Complex64;
 use std::f64::consts::TAU;
 
 /// A function on a polygon's boundary, or on the unit circle where there are no corners.
-pub struct Given<F: Fn(Complex64) -> Complex64> {
-    pub corners: Vec<Complex64>,
-    pub function: F,
+struct Given<F: Fn(Complex64) -> Complex64> {
+    corners: Vec<Complex64>,
+    function: F,
 }
 
 impl<F: Fn(Complex64) -> Complex64> Boundary for Given<F> {
@@ -32,7 +32,7 @@ impl<F: Fn(Complex64) -> Complex64> Boundary for Given<F> {
     }
 }
 
-pub fn circle<F: Fn(Complex64) -> Complex64>(function: F) -> Given<F> {
+fn circle<F: Fn(Complex64) -> Complex64>(function: F) -> Given<F> {
     Given { corners: Vec::new(), function }
 }
 

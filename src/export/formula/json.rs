@@ -42,7 +42,6 @@ fn function(fit: &Fit, has_numbers: bool) -> String {
         ("error", number(fit.error())),
         ("extent", number(fit.extent())),
         ("digits_reached", fit.digits().to_string()),
-        ("poles_inside", fit.poles_inside().map_or_else(null, |count| count.to_string())),
     ];
     if has_numbers {
         let function = fit.function();
