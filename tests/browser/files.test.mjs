@@ -65,7 +65,8 @@ withOneBackend('files', (bench) => {
     bench.withApp(async (app) => {
       const { x1 } = (await app.stats()).handles;
       await app.dropFile(x1, 'lands.geojson', LANDS);
-      await app.walkTo(/^Choose another, button/);
+      await app.atRest('the larger one is the outline', (stats) => stats.ready && stats.undo === 1);
+      await app.walkTo(/^Shapes, button/);
       await app.press('Space');
       await app.walkTo(/^Small, button, not selected/);
       await app.press('Space');

@@ -19,8 +19,9 @@ use crate::outline::Outline;
 use crate::session::file::Attachment;
 use egui::{Button, Popup, Ui, vec2};
 
-/// How long the offer is shown, in seconds: a sentence and two buttons are read in five.
-const SECONDS: f64 = 12.0;
+/// How long the offer is shown, in seconds: two sentences and three buttons are read in eight, and with a keyboard it takes
+/// as many to reach them.
+const SECONDS: f64 = 20.0;
 
 /// An offer below the pictures.
 pub struct Offer {
