@@ -10,7 +10,7 @@
 //! | the welcome of the first visit | `welcome` |
 //! | the hyperbolic tiling; the placement of the texture's picture | `tiling_panel`, `picture_panel` |
 //! | title, buttons and messages of a picture; the legend of its signs | `header`, `sign_legend` |
-//! | the menu of outlines and surfaces; the shapes of a file; their cells | `shapes`, `parts`, `shape_cell` |
+//! | the menu of outlines and surfaces; the shapes of a file; their cells | `shapes` |
 //! | the offers to trace a picture, to take another shape, and to map a region | `offer` |
 
 mod advanced;
@@ -21,12 +21,10 @@ pub mod invariants_panel;
 mod loops_panel;
 pub mod method;
 pub mod offer;
-mod parts;
 mod picture_panel;
 pub mod pins_panel;
 pub mod play_panel;
 pub mod quadrilateral_panel;
-mod shape_cell;
 pub mod shapes;
 pub mod side_panel;
 pub mod sign_legend;

@@ -2,7 +2,7 @@
 //! its answer, of one that was opened as an outline; and the offers to take another shape of an outline's file, and to
 //! show it as a map of the globe.
 
-use super::parts;
+use super::shapes::parts;
 use crate::app::input::action::{Action, Actions, ProjectionAction};
 use crate::app::input::locks::menu_entry;
 use crate::app::theme::{ROW_HEIGHT, control_height};

@@ -1,8 +1,9 @@
 //! An OBJ file with other texture coordinates: its lines, with a `vt` for each `v` before the first face.
 //!
 //! Faces have absolute numbers and keep their normals; an added vertex has that of the nearest corner of its face. A triangle
-//! in the place of a face has none if one of its corners is not of the face. The old `vt` are dropped. If vertices were added, those of the file that are behind its first face are moved
-//! before it, so that no face names a vertex that comes later.
+//! in the place of a face has none if one of its corners is not of the face. The old `vt` are dropped. If vertices were
+//! added, those of the file that are behind its first face are moved before it, so that no face names a vertex that comes
+//! later.
 
 use super::added::Added;
 use super::{Faces, Numbers, SurfaceSource, faces::Written};

@@ -1,7 +1,9 @@
-//! The menu of preset outlines and surfaces with their pictures; below them drawing, pasting, tracing and opening.
+//! The menu of preset outlines and surfaces with their pictures; below them drawing, pasting, tracing and opening. First
+//! come the shapes of the file from which the outline was read (`parts`).
 
-use super::parts;
-use super::shape_cell::{closed_line, columns, shape_cell};
+mod cell;
+pub mod parts;
+
 use crate::app::input::action::{Action, Actions, EditAction};
 use crate::app::input::locks::{guarded_by, menu_entry};
 use crate::app::language::words;
@@ -17,6 +19,7 @@ use crate::model::{Model, bounds};
 use crate::outline::Preset;
 use crate::session::{Command, Touched};
 use crate::surface::SurfacePreset;
+use cell::{closed_line, columns, shape_cell};
 use egui::{Id, PopupCloseBehavior, Pos2, Response, RichText, Stroke, Ui};
 use std::sync::Arc;
 

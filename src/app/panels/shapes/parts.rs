@@ -1,7 +1,7 @@
 //! The shapes of a drawing or the features of a map that the file of a side's outline holds, as small pictures to pick
 //! from.
 
-use super::shape_cell::{closed_line, columns, shape_cell};
+use super::cell::{closed_line, columns, shape_cell};
 use crate::app::input::action::{Action, Actions};
 use crate::app::theme::Palette;
 use crate::app::theme::text_metrics::scroll_beyond;
