@@ -163,11 +163,11 @@ fn a_vertex_where_parts_meet_becomes_two() {
     assert!((area(&before) - area(&after)).abs() < 1e-12);
 }
 
-/// [`QUADS`] as PLY, with a normal, a color, a texture coordinate, a material for each face, and an edge.
+/// [`QUADS`] as PLY, with a normal, a color, texture coordinates, a material for each face, and an edge.
 fn ply(encoding: &str) -> Vec<u8> {
     let mut bytes = format!(
         "ply\nformat {encoding} 1.0\ncomment made by hand\nelement vertex 9\nproperty float x\nproperty float y\n\
-         property float z\nproperty float nx\nproperty uchar red\nproperty float u\nelement face 4\n\
+         property float z\nproperty float nx\nproperty uchar red\nproperty float u\nproperty float v\nelement face 4\n\
          property uchar material\nproperty list uchar short vertex_indices\nproperty list uchar float texcoord\n\
          element edge 1\nproperty int vertex1\nproperty int vertex2\nobj_info last\nend_header\n"
     )
@@ -192,7 +192,7 @@ fn ply(encoding: &str) -> Vec<u8> {
     };
     for (k, p) in surface(QUADS).vertices().iter().enumerate() {
         let z = f64::from(p.z as f32);
-        row(&[(p.x, 0), (p.y, 0), (z, 0), (0.25, 0), (10.0 * k as f64, 1), (0.5, 0)]);
+        row(&[(p.x, 0), (p.y, 0), (z, 0), (0.25, 0), (10.0 * k as f64, 1), (0.5, 0), (0.25, 0)]);
     }
     for (material, corners) in [[0, 1, 4, 3], [3, 4, 7, 6], [1, 2, 5, 4], [4, 5, 8, 7]].into_iter().enumerate() {
         let [a, b, c, d] = corners.map(|v| (f64::from(v), 2));
