@@ -37,11 +37,6 @@ const LOSSES = {
   },
 };
 
-/** Runs in the page before its scripts: nobody is told that a canvas lost its graphics, as before a late event. */
-function hideLoss() {
-  window.addEventListener('webglcontextlost', (event) => event.stopImmediatePropagation(), { capture: true });
-}
-
 /** Runs in the page before its scripts: records every value of the progress bar. */
 function noteProgress() {
   window.progress = [];
@@ -243,23 +238,6 @@ withEachBackend(
         { prepare },
       ),
     );
-
-    if (bench.backend === 'WebGL2') {
-      test(
-        'calls that fail before the loss is told count as the loss',
-        bench.withApp(
-          async (app) => {
-            const canvas = await app.page.evaluateHandle(() => document.querySelector('canvas'));
-            await app.page.evaluate(lose);
-            await app.openSession({ texture_scale: 19 });
-            await app.page.waitForFunction((old) => document.querySelector('canvas') !== old, canvas);
-            await app.atRest('the map is there again');
-            assert.equal((await app.session()).texture_scale, 19);
-          },
-          { prepare: hideLoss },
-        ),
-      );
-    }
 
     test(
       'graphics that are lost again and again end with a message, and a reload brings the map back',

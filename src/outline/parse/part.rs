@@ -33,7 +33,7 @@ pub struct Parts {
     pub taken: usize,
     /// How many there are.
     pub count: usize,
-    /// The largest ones, at most [`MOST_PARTS`], in the file's order.
+    /// The largest ones, at most 300, in the file's order.
     pub all: Vec<Part>,
 }
 
