@@ -86,9 +86,27 @@ fn faces_at_new_vertices_become_triangles_and_the_others_stay() {
     let is_own = |line: &&str| !kept(QUADS).contains(line);
     assert_eq!(kept(&written).into_iter().filter(is_own).count(), added, "{written}");
     assert!(starting(&written, "f ").iter().all(|face| face.contains("/1 ")), "{written}");
+    // colors at new vertices are in between
+    for vertex in &starting(&written, "v ")[9..] {
+        let [_, _, _, color @ ..] = &numbers(vertex)[..] else { unreachable!("{vertex}") };
+        assert!(color.len() == 3 && color.iter().all(|part| (0.0..=1.0).contains(part)), "{vertex}");
+    }
     assert_eq!(after.vertices()[..9], *before.vertices());
     assert_eq!((after.vertices().len(), starting(&written, "vt ").len()), (9 + added, 9 + added));
     assert!((area(&before) - area(&after)).abs() < 1e-12 && SurfaceMesh::new(&after).is_ok(), "{written}");
+}
+
+#[test]
+fn a_surface_over_an_outline_stays_as_it_was_read_in_map_too() {
+    let folder = folder("map");
+    let [given, out] = ["quads.obj", "map.obj"].map(|name| folder.join(name).display().to_string());
+    std::fs::write(&given, QUADS).unwrap();
+    for sides in [[&*given, "preset:disk"], ["preset:disk", &*given]] {
+        succeeds(&[&["map"], &sides[..], &["--out", &*out]].concat());
+        let written = std::fs::read_to_string(&out).unwrap();
+        assert_eq!(kept(&written), kept(QUADS));
+        assert_eq!(starting(&written, "f ")[1], "f 4/4/1 5/5/1 8/8/1 7/7/1", "{written}");
+    }
 }
 
 /// Two objects, each with its vertices, which are merged where both meet: the faces of the first come before the vertices of

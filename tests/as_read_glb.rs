@@ -190,3 +190,33 @@ fn new_vertices_have_attributes_and_divide_the_primitive_they_are_in() {
         assert!(all.iter().any(|uv| *uv == corner), "{corner:?} is not hit");
     }
 }
+
+/// A glTF document with its buffer and its image in neighboring files gives one GLB with everything.
+#[test]
+fn a_gltf_document_takes_its_neighbors_into_the_glb() {
+    let folder = folder("gltf");
+    let ((mut document, mut buffer), whole) = (parsed(&two_primitives()), surface(&two_primitives()));
+    let start = buffer.windows(IMAGE.len()).position(|bytes| bytes == IMAGE).unwrap();
+    buffer.truncate(start);
+    document["images"] = json!([{ "uri": "a%20picture.png", "name": "wood" }, { "uri": "elsewhere.png" }]);
+    document["bufferViews"].as_array_mut().unwrap().pop();
+    document["buffers"] = json!([{ "byteLength": buffer.len(), "uri": "sheet.bin" }]);
+    let path = |name: &str| folder.join(name).display().to_string();
+    std::fs::write(path("sheet.gltf"), document.to_string()).unwrap();
+    std::fs::write(path("sheet.bin"), &buffer).unwrap();
+    std::fs::write(path("a picture.png"), IMAGE).unwrap();
+    succeeds(&["flatten", &path("sheet.gltf"), "preset:disk", "--out", &path("sheet.glb")]);
+    let written = std::fs::read(path("sheet.glb")).unwrap();
+    let (after, data) = parsed(&written);
+    assert_eq!(after["materials"][1], document["materials"][1]);
+    assert_eq!(after["nodes"], document["nodes"]);
+    let image = &after["images"][0];
+    assert_eq!(
+        (&image["name"], &image["mimeType"], &image["uri"]),
+        (&json!("wood"), &json!("image/png"), &Value::Null)
+    );
+    let view = &after["bufferViews"][image["bufferView"].as_u64().unwrap() as usize];
+    assert_eq!(&data[view["byteOffset"].as_u64().unwrap() as usize..][..IMAGE.len()], IMAGE);
+    assert_eq!(after["images"][1], json!({ "uri": "elsewhere.png" }));
+    assert_eq!(surface(&written), whole);
+}

@@ -151,7 +151,7 @@ fn bad_input_is_refused_with_its_cause() {
     let comb: Vec<String> = (0..2500).map(|k| format!("[{k},0],[{k}.5,3]")).collect();
     let comb = file(&folder, "comb.json", &format!("[{},[2500,5],[0,5]]", comb.join(",")));
     fails(&["invariants", &comb, "--point", "200,4", "--interpret", "polygon"], 1, &["unknowns", "limit"]);
-    fails(&["invariants", &l], 2, &["--point"]);
+    fails(&["invariants", &l, "--second-point", "1,1"], 2, &["--point"]);
     let with = |marks: &'static str| ["invariants", "preset:disk", "--point", "0,0", "--marks", marks];
     fails(&with("0,0.5"), 2, &["S,S,S,S"]);
     fails(&with("0,0.5,0.25,0.75"), 2, &["cyclic order"]);
@@ -185,4 +185,21 @@ fn marks_are_named_by_vertex_in_the_order_of_either_direction() {
         &[],
     );
     assert!(missing.contains("v6: the outline has 6 points"), "{missing}");
+}
+
+/// Capacity and modulus are those of the outline, whatever is seen from a point.
+#[test]
+fn capacity_and_modulus_need_no_point() {
+    let marks = ["preset:square", "--marks", "0,0.25,0.5,0.75"];
+    let alone = json(&marks);
+    for key in ["harmonic_measure", "conformal_radius", "hyperbolic_distance", "unknowns"] {
+        assert!(alone[key].is_null(), "{key}: {alone}");
+    }
+    for point in ["0,0", "0.3,-0.2"] {
+        let seen = json(&[&marks[..], &["--point", point]].concat());
+        assert_eq!([&seen["capacity"], &seen["modulus"]], [&alone["capacity"], &alone["modulus"]], "{point}");
+    }
+    assert_number("modulus", &alone["modulus"], 1.0, 1e-12);
+    let text = String::from_utf8(succeeds(&["invariants", "preset:disk"]).stdout).unwrap();
+    assert!(text.starts_with("capacity ") && text.trim_end().lines().count() == 1, "{text}");
 }

@@ -67,7 +67,7 @@ impl RiemapApp {
         let picture = self.pictures.image.as_ref().map(|image| &*image.pixels);
         match file(&self.model, request, picture) {
             Some(Ok(file)) => {
-                self.windows.exporter.tell(None);
+                self.windows.exporter.tell(file.note);
                 platform::save_file(&file.name, file.bytes, self.workers.mailbox.clone());
             }
             Some(Err(reason)) => self.windows.exporter.tell(Some(reason)),

@@ -7,18 +7,14 @@
 //! | | |
 //! |---|---|
 //! | conformal radius | log R = ∫ log\|s − x\| dω_x(s) |
-//! | capacity | log c = ∫ log\|s − x\| dμ(s) for any x inside, μ the equilibrium measure, (½ I + K*) μ = 0, ∫ dμ = 1 |
+//! | capacity | see `capacity` |
 //! | modulus | the cross ratio of four disk angles 2πω, then K′/K (`elliptic`) |
 //! | hyperbolic distance | 2 artanh e^{−G}, Green's function G = ∫ log\|s − x₂\| dω_{x₁}(s) − log\|x₁ − x₂\| |
 
+use super::capacity::{capacity, moved};
 use super::elliptic::modulus;
-use super::layout::{Layout, layout};
-use super::leg::Node;
-use super::legendre::{NODES, Rule};
-use super::spans::left_open;
-use super::{BoundaryIntegral, BoundaryIntegralError, Problem, Settings, System};
+use super::{BoundaryIntegral, BoundaryIntegralError, Settings};
 use crate::geometry::{Curve, CurvePoint, DVec2, Piece};
-use std::f64::consts::TAU;
 
 /// A number with an estimate of its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -97,7 +93,6 @@ struct Numbers {
     pieces: Vec<f64>,
     arcs: Option<[f64; 4]>,
     log_radius: f64,
-    log_capacity: f64,
     green: Option<f64>,
     /// What the points of a spline leave open.
     open: Open,
@@ -112,7 +107,6 @@ struct Numbers {
 struct Open {
     measure: f64,
     log_radius: f64,
-    log_capacity: f64,
 }
 
 /// Rounding of sums of a thousand terms of order 1: on regular polygons, rectangles, ellipses and the L-shape the
@@ -142,7 +136,7 @@ pub fn invariants(curve: &Curve, request: &InvariantsRequest) -> Result<Invarian
         pieces: pairs(&coarse.pieces, &fine.pieces),
         arcs: marked.map(|(a, b)| std::array::from_fn(|k| measure(a[k], b[k]))),
         conformal_radius: radius,
-        capacity: both(coarse.log_capacity, fine.log_capacity, 1.0).wider(open.log_capacity + open.measure).exp(),
+        capacity: capacity(curve)?,
         modulus: marked.map(|(a, b)| modulus_of_both(a, b).wider(modulus_change(b, beside))),
         hyperbolic_distance: match request.second_point {
             Some(second) if second == request.point => Some(Estimate { value: 0.0, error: 0.0 }),
@@ -156,7 +150,7 @@ pub fn invariants(curve: &Curve, request: &InvariantsRequest) -> Result<Invarian
 }
 
 /// The finer of two logarithms, with their difference as error.
-fn both(coarse: f64, fine: f64, condition: f64) -> Estimate {
+pub(super) fn both(coarse: f64, fine: f64, condition: f64) -> Estimate {
     Estimate { value: fine, error: SAFETY * (fine - coarse).abs() + ROUNDING * fine.abs().max(condition) }
 }
 
@@ -193,7 +187,7 @@ fn modulus_change(arcs: [f64; 4], error: f64) -> f64 {
 
 impl Estimate {
     /// With a larger error.
-    fn wider(self, by: f64) -> Self {
+    pub(super) fn wider(self, by: f64) -> Self {
         Self { error: self.error + by, ..self }
     }
 
@@ -203,7 +197,7 @@ impl Estimate {
         Self { value, error: self.error + (value - self.value).abs() }
     }
 
-    fn exp(self) -> Self {
+    pub(super) fn exp(self) -> Self {
         let value = self.value.exp();
         Self { value, error: value * self.error.exp_m1() }
     }
@@ -225,19 +219,15 @@ impl Numbers {
         let measure = integral.harmonic_measure(x)?;
         let swept = integral.swept(x);
         let arcs = request.marks.map(|marks| [0, 1, 2, 3].map(|k| measure.between(marks[k], marks[(k + 1) % 4])));
-        let equilibrium = Equilibrium::compute(curve, settings)?;
-        let open = |layout, system, charges| moved(curve, (layout, system), charges);
         Ok(Self {
             open: Open {
                 measure: if has_splines(curve) { measure.error_estimate() } else { 0.0 },
-                log_radius: open(&integral.layout, &integral.system, &swept),
-                log_capacity: open(&equilibrium.layout, &equilibrium.system, &equilibrium.charges),
+                log_radius: moved(curve, (&integral.layout, &integral.system), &swept),
             },
             violation: measure.violation(),
             pieces: measure.pieces(),
             arcs,
             log_radius: integral.system.logarithm(&swept, x),
-            log_capacity: equilibrium.log_capacity(curve),
             green: request.second_point.map(|y| integral.system.logarithm(&swept, y) - x.distance(y).ln()),
             places: integral.system.places().collect(),
         })
@@ -248,63 +238,6 @@ impl Numbers {
     }
 }
 
-/// The equilibrium measure, from panels of its own: it does not depend on a point.
-struct Equilibrium {
-    layout: Layout,
-    system: System,
-    /// Their total is 1.
-    charges: Vec<f64>,
-}
-
-impl Equilibrium {
-    fn compute(curve: &Curve, settings: &Settings) -> Result<Self, BoundaryIntegralError> {
-        let layout = layout(curve, &[], (settings.fineness, Problem::Interior), settings.max_unknowns)?;
-        let system = System::new(curve, &layout, Problem::Exterior)?;
-        let charges = system.charges(&system.equilibrium());
-        let total: f64 = charges.iter().sum();
-        if !(total.is_finite() && total > 0.0) {
-            return Err(BoundaryIntegralError::Singular);
-        }
-        let charges = charges.into_iter().map(|charge| charge / total).collect();
-        Ok(Self { layout, system, charges })
-    }
-
-    /// The potential inside, where it is constant, at the point that is farthest from all panels in lengths of the panels.
-    fn log_capacity(&self, curve: &Curve) -> f64 {
-        let lengths = self.system.panel_lengths();
-        let places: Vec<DVec2> = self.system.places().collect();
-        let middles = self.system.nodes().skip(NODES / 2).step_by(NODES).enumerate();
-        let inward = |(k, (base, node)): (usize, (DVec2, &Node))| {
-            let (from, step) = (base + node.offset, lengths[k] * node.normal.normalize_or_zero());
-            STEPS.map(|steps| from - steps * step)
-        };
-        let clearance = |x: DVec2| {
-            let of_node = |(k, place): (usize, &DVec2)| place.distance(x) / lengths[k / NODES];
-            places.iter().enumerate().map(of_node).fold(f64::INFINITY, f64::min)
-        };
-        let candidates = middles.step_by(lengths.len().div_ceil(VIEWPOINTS)).flat_map(inward);
-        let inside = candidates.filter(|&x| curve.contains(x)).map(|x| (clearance(x), x));
-        let best = inside.max_by(|(a, _), (b, _)| a.total_cmp(b));
-        best.map_or(f64::NAN, |(_, x)| self.system.logarithm(&self.charges, x))
-    }
-}
-
-/// How many lengths of its panel a point is away from the boundary.
-const STEPS: [f64; 6] = [0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
-/// The panels from which points are taken, of which the best one is used.
-const VIEWPOINTS: usize = 64;
-
 fn has_splines(curve: &Curve) -> bool {
     curve.pieces().iter().any(|piece| matches!(piece, Piece::Spline { .. }))
-}
-
-/// How much the logarithm of a radius changes where the boundary moves by what the points of its splines leave open.
-fn moved(curve: &Curve, (layout, system): (&Layout, &System), charges: &[f64]) -> f64 {
-    let lengths = system.panel_lengths();
-    let open: Vec<f64> = layout.panels.iter().map(|panel| left_open(curve, panel)).collect();
-    let at = |(k, charge): (usize, &f64)| {
-        let (panel, weight) = (k / NODES, 0.5 * Rule::get().weights[k % NODES]);
-        charge * charge * open[panel] / (weight * lengths[panel])
-    };
-    TAU * charges.iter().enumerate().map(at).sum::<f64>()
 }

@@ -9,6 +9,7 @@
 //! Gauss–Legendre panels; what is next to a corner, or next to a jump of the curvature, is compressed (`corner`).
 //! Densities below about 1e-15 of the largest one may have either sign.
 
+mod capacity;
 mod corner;
 mod elliptic;
 mod entries;
@@ -31,6 +32,7 @@ mod straight;
 mod system;
 
 use crate::geometry::{Curve, DVec2};
+pub use capacity::capacity;
 use corner::Problem;
 pub use elliptic::modulus;
 pub use error::BoundaryIntegralError;

@@ -85,8 +85,11 @@ pub fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed
     progress.enter("the composition");
     let Finished { map, summary, table } = making.finished(whole, [&sides[0], &sides[last]], making.points.as_ref())?;
     making.say_notes(&sides.iter().collect::<Vec<_>>());
+    let mut sides = sides;
+    let mapped = if map.mapped_side() == Side::Source { 0 } else { last };
+    let surface = sides.swap_remove(mapped).into_surface();
     let chain = Some(Chain { links: linked, link_by_link });
-    Ok(Computed { map, constraints, pins: None, summary: Summary { chain, ..summary }, table })
+    Ok(Computed { map, constraints, pins: None, summary: Summary { chain, ..summary }, table, surface })
 }
 
 impl Link {

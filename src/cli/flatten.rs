@@ -1,7 +1,7 @@
 //! `riemap flatten`: parameterizes a surface over an outline and writes it with texture coordinates.
 
 use super::corners::Corners;
-use super::flatten_arguments::{CornersArgument, FlattenArguments, SurfacePoint, UvArgument, read_with_bytes};
+use super::flatten_arguments::{CornersArgument, FlattenArguments, SurfacePoint, UvArgument, read};
 use super::named_outline::{NamedOutline, read_outline};
 use super::optimization::{Optimized, optimized};
 use super::output::{check_paths, edges_flipped, print, quality_in_words, say_solver, words, write_all};
@@ -14,12 +14,12 @@ use crate::conformal::{
     ConformalMap, Constraints, CornerCuts, FrameTimings, MapError, MapSettings, MeshedSurface, PerSide, PrepareTimings,
     PreparedSide, Quality, Side, Subdivided, prepare_surface,
 };
-use crate::export::{FileFormat, Flattened, Placement, SurfaceSource};
+use crate::export::{EncodedSurface, FileFormat, Flattened, Placement};
 use crate::laplace::SolverKind;
 use crate::mesh::{BarycentricPoint, FlipReport};
 use crate::optimization::Criterion;
 use crate::outline::Interpreted;
-use crate::surface::{Surface, SurfaceFormat, SurfaceMesh};
+use crate::surface::{Surface, SurfaceMesh};
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
@@ -100,9 +100,10 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| format_of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
     let progress = Progress::new(format!("reading {}", arguments.surface));
-    let (surface, read) = timed(|| read_with_bytes(&arguments.surface));
-    let (surface, bytes) = surface?;
-    let (whole, timings) = compute(arguments, &surface, &progress)?;
+    let (surface, read) = timed(|| read(&arguments.surface));
+    let given = surface?;
+    let surface = &given.surface;
+    let (whole, timings) = compute(arguments, surface, &progress)?;
     progress.enter("writing");
     let map = &whole.map;
     let unit = arguments.layout.uv == UvArgument::Unit;
@@ -112,14 +113,14 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
         None => Flattened::new(map, unit),
     };
     let flattened = flattened.ok_or_else(no_surface)?;
-    let source = bytes.as_deref().and_then(|bytes| source(arguments, &surface, bytes));
     let (mut files, mut bare) = (Vec::new(), Vec::new());
     for (path, format) in arguments.out.iter().zip(formats) {
         let bytes = match format {
-            Format::Surface(format) => encoded(&flattened, format, source).unwrap_or_else(|| {
-                bare.push(format!("{}: {BARE}", path.display()));
-                flattened.encode(format)
-            }),
+            Format::Surface(format) => {
+                let EncodedSurface { bytes, is_bare } = flattened.encode_as_read(format, given.source());
+                bare.extend(is_bare.then(|| format!("{}: {BARE}", path.display())));
+                bytes
+            }
             Format::Picture => {
                 let given = (&whole.constraints, PerSide::new(&[][..], &[][..]));
                 surface_picture::png(&arguments.surface, map, cuts, given, false, arguments.size.0)?
@@ -129,7 +130,7 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     }
     write_all(&files)?;
     drop(progress);
-    let mut summary = summarize(&surface, &whole, &flattened, Timings { read, ..timings });
+    let mut summary = summarize(surface, &whole, &flattened, Timings { read, ..timings });
     summary.notes.extend(bare);
     summary.notes.iter().chain(&summary.repairs).for_each(|note| eprintln!("riemap: {}: {note}", arguments.surface));
     if arguments.json {
@@ -152,22 +153,8 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
 }
 
 /// The note about a file in the surface's own format that could not be written as it was read.
-const BARE: &str = "bare triangles: what else the surface's file has is not kept (triangle strips, free-form surfaces, \
-                    buffers in other files, and meshes that are placed twice)";
-
-/// The surface in a file format, in its own as it was read; `None` if that cannot be.
-fn encoded(flattened: &Flattened, format: FileFormat, source: Option<SurfaceSource<'_>>) -> Option<Vec<u8>> {
-    match source.filter(|source| source.has_format(format)) {
-        Some(source) => flattened.as_read(source),
-        None => Some(flattened.encode(format)),
-    }
-}
-
-/// The file of the surface, of these bytes.
-fn source<'a>(arguments: &FlattenArguments, surface: &'a Surface, bytes: &'a [u8]) -> Option<SurfaceSource<'a>> {
-    let format = SurfaceFormat::of(&arguments.surface, bytes).ok()?;
-    Some(SurfaceSource { format, bytes, surface })
-}
+pub(super) const BARE: &str = "bare triangles: what else the surface's file has is not kept (triangle strips, free-form surfaces, \
+                               buffers in other files, and meshes that are placed twice)";
 
 /// A surface mapped over an outline.
 struct Parameterized {

@@ -7,10 +7,12 @@ use super::named_outline::{ReadingArguments, read_file};
 use super::values::{Anchor, Point, Size};
 use crate::conformal::MeshedSurface;
 use crate::counted::counted;
+use crate::export::SurfaceSource;
 use crate::geometry::DVec3;
 use crate::mesh::{BarycentricPoint, TriangleId, VertexId};
 use crate::surface::{
-    MAX_BYTES, Surface, SurfaceMesh, SurfaceNote, SurfacePreset, at_vertex, nearest_on_boundary, read_surface_beside,
+    MAX_BYTES, Surface, SurfaceFormat, SurfaceMesh, SurfaceNote, SurfacePreset, at_vertex, nearest_on_boundary, packed,
+    read_surface_beside,
 };
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -255,13 +257,23 @@ pub fn preset(name: &str) -> Option<SurfacePreset> {
     SurfacePreset::from_str(name.split_once(':').map_or(name, |(preset, _)| preset)).ok()
 }
 
-/// Reads `preset:NAME[:M]` or a file.
-pub fn read(name: &str) -> Result<Surface, CliError> {
-    read_with_bytes(name).map(|(surface, _)| surface)
+/// A surface with the file that it was read from; presets have none.
+pub struct ReadSurface {
+    /// The surface, before any repair.
+    pub surface: Surface,
+    file: Option<(SurfaceFormat, Vec<u8>)>,
 }
 
-/// As [`read`], with the content of the file if it is one.
-pub fn read_with_bytes(name: &str) -> Result<(Surface, Option<Vec<u8>>), CliError> {
+impl ReadSurface {
+    /// The file, for writing it again.
+    pub fn source(&self) -> Option<SurfaceSource<'_>> {
+        let (format, bytes) = self.file.as_ref()?;
+        Some(SurfaceSource { format: *format, bytes, surface: &self.surface })
+    }
+}
+
+/// Reads `preset:NAME[:M]` or a file.
+pub fn read(name: &str) -> Result<ReadSurface, CliError> {
     let input = |error: &dyn std::fmt::Display| CliError::Input(format!("{name}: {error}"));
     if let Some(preset) = name.strip_prefix("preset:") {
         let (preset, boundary) = preset.split_once(':').map_or((preset, None), |(preset, m)| (preset, Some(m)));
@@ -271,11 +283,15 @@ pub fn read_with_bytes(name: &str) -> Result<(Surface, Option<Vec<u8>>), CliErro
             Some(Ok(count @ 12..=4000)) => count,
             Some(_) => return Err(input(&"the number of boundary vertices must be from 12 to 4000")),
         };
-        return preset.surface(boundary).map(|surface| (surface, None)).map_err(|error| input(&error));
+        let surface = preset.surface(boundary).map_err(|error| input(&error))?;
+        return Ok(ReadSurface { surface, file: None });
     }
     let bytes = read_file(name, MAX_BYTES)?;
     let folder = Path::new(name).parent().unwrap_or(Path::new(""));
     let mut neighbor = |file: &str| read_file(&folder.join(file).to_string_lossy(), MAX_BYTES).ok();
     let surface = read_surface_beside(name, &bytes, &mut neighbor).map_err(|error| input(&error))?;
-    Ok((surface, Some(bytes)))
+    let format = SurfaceFormat::of(name, &bytes).map_err(|error| input(&error))?;
+    let whole = if format == SurfaceFormat::Gltf { packed(&bytes, &mut neighbor) } else { None };
+    let file = whole.map_or((format, bytes), |whole| (SurfaceFormat::Glb, whole.bytes));
+    Ok(ReadSurface { surface, file: Some(file) })
 }

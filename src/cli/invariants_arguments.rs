@@ -14,14 +14,14 @@ use super::values::Point;
 pub struct InvariantsArguments {
     /// The outline, given as a file (JSON, CSV, text, SVG, GeoJSON) or `preset:NAME`.
     pub outline: String,
-    /// The point from which harmonic measure and conformal radius are taken; strictly inside.
+    /// The point from which harmonic measure and conformal radius are taken; strictly inside. Capacity and modulus need none.
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
-    pub point: Point,
+    pub point: Option<Point>,
     /// A second point inside: also print its hyperbolic distance from the first one.
-    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true, requires = "point")]
     pub second_point: Option<Point>,
-    /// The marks: with them, the measures of the arcs from mark to mark are printed instead of those of the sides, and the
-    /// modulus, the extremal distance between the arcs from mark 1 to 2 and from mark 3 to 4.
+    /// The marks: with them, the modulus is printed, the extremal distance between the arcs from mark 1 to 2 and from mark 3
+    /// to 4, and the measures of the arcs from mark to mark instead of those of the sides.
     #[command(flatten)]
     pub marks: MarkArguments,
     /// What an outline's points are taken for, as for `riemap map`. The sides of a curve are the

@@ -2,6 +2,8 @@
 
 use super::CliError;
 use super::chain::{self, Chain};
+use super::flatten::BARE;
+use super::flatten_arguments::ReadSurface;
 use super::map_arguments::{DirectionArgument, ExtensionArgument, MapArguments};
 use super::named_outline::reach;
 use super::optimization::optimized;
@@ -16,10 +18,12 @@ use crate::conformal::{
     ConformalMap, Constraints, Direction, Extension, KernelMode, MapError, MapSettings, PerSide, Pins, PrepareSettings,
     PrepareTimings, Side,
 };
-use crate::export::{FileFormat, Panel, Ruling, boundary_csv, mapped_mesh, panels, parts, svg};
+use crate::export::{
+    EncodedSurface, FileFormat, Panel, Ruling, SurfaceSource, boundary_csv, mapped_mesh, panels, parts, svg,
+};
 use crate::geometry::DVec3;
 use crate::optimization::Criterion;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Squares of the drawn grid across the source's larger side.
@@ -31,18 +35,19 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     check_paths(&arguments.out)?;
     check_formats(&formats, &arguments.sides.names())?;
     let progress = Progress::new("reading");
-    let Computed { map, constraints, pins, summary, table } =
+    let Computed { map, constraints, pins, summary, table, surface } =
         if arguments.sides.is_chain() { chain::compute(arguments, &progress)? } else { compute(arguments, &progress)? };
     progress.enter("writing");
     let names = arguments.sides.names();
     let names = PerSide::new(names[0], names[names.len() - 1]);
     let pins = PerSide::from_fn(|side| places(&map, pins.as_ref(), side));
-    let scene = Scene { map: &map, constraints, names, pins };
+    let source = surface.as_ref().and_then(ReadSurface::source);
+    let scene = Scene { map: &map, constraints, names, pins, source };
     let mut files = Vec::new();
     for (path, format) in arguments.out.iter().zip(formats) {
         let bytes = match &table {
             Some(table) if format == Format::Csv => table.clone().into_bytes(),
-            _ => scene.encode(format, &summary, arguments.size.0)?,
+            _ => scene.encode(format, &summary, (path, arguments.size.0))?,
         };
         files.push((path.clone(), bytes));
     }
@@ -86,6 +91,8 @@ pub(super) struct Computed {
     pub summary: Summary,
     /// The images of the given points.
     pub table: Option<String>,
+    /// The mapped side, if it is a surface.
+    pub surface: Option<ReadSurface>,
 }
 
 /// The most vertices of both meshes whose errors are estimated by comparison with four times as many.
@@ -189,7 +196,9 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
     let Finished { map, summary, table } = making.finished(map, sides, making.points.as_ref())?;
     making.say_notes(&sides);
     say_map_notes(&map, &asked);
-    Ok(Computed { map, constraints, pins, summary: Summary { pinned, best, ..summary }, table })
+    let mapped = if map.mapped_side() == Side::Source { source } else { target };
+    let surface = mapped.into_surface();
+    Ok(Computed { map, constraints, pins, summary: Summary { pinned, best, ..summary }, table, surface })
 }
 
 /// What maps are made with.
@@ -428,23 +437,31 @@ struct Scene<'a> {
     names: PerSide<&'a str>,
     /// The places of the pins; empty: there are none.
     pins: PerSide<Vec<DVec3>>,
+    /// The file of the mapped surface.
+    source: Option<SurfaceSource<'a>>,
 }
 
 impl Scene<'_> {
-    fn encode(&self, format: Format, summary: &Summary, size: [u32; 2]) -> Result<Vec<u8>, CliError> {
+    /// `path` is that of the file, for messages.
+    fn encode(&self, format: Format, summary: &Summary, (path, size): (&Path, [u32; 2])) -> Result<Vec<u8>, CliError> {
         match format {
             Format::Json => tables::json(self.map, summary).map_err(|error| CliError::Input(error.to_string())),
             Format::Csv => Ok(boundary_csv(self.map).into_bytes()),
-            Format::Obj => self.mesh(FileFormat::Obj),
-            Format::Ply => self.mesh(FileFormat::Ply),
-            Format::Glb => self.mesh(FileFormat::Glb),
+            Format::Obj => self.mesh(FileFormat::Obj, path),
+            Format::Ply => self.mesh(FileFormat::Ply, path),
+            Format::Glb => self.mesh(FileFormat::Glb, path),
             Format::Svg => Ok(self.drawing().into_bytes()),
             Format::Png => self.picture(size),
         }
     }
 
-    fn mesh(&self, format: FileFormat) -> Result<Vec<u8>, CliError> {
-        mapped_mesh(self.map, format).ok_or_else(|| planar_mesh(format.extension()))
+    fn mesh(&self, format: FileFormat, path: &Path) -> Result<Vec<u8>, CliError> {
+        let mesh = mapped_mesh(self.map, format, self.source);
+        let EncodedSurface { bytes, is_bare } = mesh.ok_or_else(|| planar_mesh(format.extension()))?;
+        if is_bare {
+            eprintln!("riemap: {}: {BARE}", path.display());
+        }
+        Ok(bytes)
     }
 
     /// The planar parts of the map as SVG, with a square grid on the source, on the only outline, or on the disk.
@@ -464,7 +481,7 @@ impl Scene<'_> {
     }
 
     fn picture(&self, size: [u32; 2]) -> Result<Vec<u8>, CliError> {
-        let Self { map, constraints, names, pins } = self;
+        let Self { map, constraints, names, pins, .. } = self;
         let pins = pins.as_ref().map(Vec::as_slice);
         match panels(map, constraints) {
             Some(PerSide { source, target }) => {

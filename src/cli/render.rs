@@ -39,7 +39,9 @@ pub fn run(arguments: &RenderArguments) -> Result<(), CliError> {
         Format::Picture => picture(&offscreen, image.as_ref(), &shot)?,
         Format::File(format) => {
             let request = FileRequest { format, side: shot.side, unit: true, corners: true };
-            offscreen.file(request, image.as_ref()).map_err(|error| CliError::Input(error.to_string()))?.bytes
+            let file = offscreen.file(request, image.as_ref()).map_err(|error| CliError::Input(error.to_string()))?;
+            file.note.iter().for_each(|note| eprintln!("riemap: {}", note.english()));
+            file.bytes
         }
     };
     write_all(&[(arguments.out.clone(), bytes)])

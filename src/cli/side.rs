@@ -2,7 +2,7 @@
 
 use super::CliError;
 use super::discretization::Discretization;
-use super::flatten_arguments::{self, SurfaceAnchor, SurfacePoint, preset};
+use super::flatten_arguments::{self, ReadSurface, SurfaceAnchor, SurfacePoint, preset};
 use super::named_outline::{NamedOutline, read_outline};
 use super::output::{say_solver, warn_if_coarse};
 use super::progress::Progress;
@@ -14,7 +14,7 @@ use crate::conformal::{
 };
 use crate::geometry::SimplePolygon;
 use crate::outline::{self, Interpreted, Preset};
-use crate::surface::{Surface, SurfacePreset, names_format};
+use crate::surface::{SurfacePreset, names_format};
 use std::str::FromStr;
 use std::sync::Arc;
 
@@ -109,7 +109,7 @@ pub enum Given {
     /// An outline.
     Outline(NamedOutline),
     /// A surface.
-    Surface(Surface),
+    Surface(ReadSurface),
 }
 
 /// A prepared side with its name.
@@ -254,7 +254,7 @@ impl NamedSide {
         };
         let mut kept = None;
         let prepared = match &given {
-            Given::Surface(surface) => {
+            Given::Surface(ReadSurface { surface, .. }) => {
                 let mesh = disk(surface, repair, 0);
                 let settings = reading.surface_settings();
                 let mesh = mesh.map_err(|error| about(&error))?;
@@ -340,7 +340,7 @@ impl NamedSide {
             (None, ..) => Ok(self.prepared.default_point()),
             (Some(SidePoint::Plane(point)), SideGeometry::Plane(_), _) => Ok(point.0.into()),
             (Some(SidePoint::Surface(point)), SideGeometry::Space(surface), Given::Surface(given)) => {
-                point.locate(option, given, surface).map(Into::into)
+                point.locate(option, &given.surface, surface).map(Into::into)
             }
             (Some(_), ..) => Err(other_point(&self.title, self.is_surface(), option)),
         }
@@ -352,12 +352,17 @@ impl NamedSide {
             (InteriorPoint::Plane(x), ..) => Ok(Place::Plane(x.to_array())),
             (InteriorPoint::Surface(point), SideGeometry::Space(meshed), Given::Surface(given)) => {
                 let disk = meshed.surface();
-                let weights = disk.weights_in(given, point);
+                let weights = disk.weights_in(&given.surface, point);
                 let triangle = disk.triangle_origins()[point.triangle().index()];
                 Ok(Place::Surface { triangle, weights, position: meshed.position(point).to_array() })
             }
             (InteriorPoint::Surface(_), ..) => Err(CliError::Input(format!("{} is no surface", self.title))),
         }
+    }
+
+    /// The surface as it was read; `None` of an outline.
+    pub fn into_surface(self) -> Option<ReadSurface> {
+        if let Given::Surface(read) = self.given { Some(read) } else { None }
     }
 
     /// The outline; `None` of a surface.
@@ -373,10 +378,10 @@ impl NamedSide {
                 anchor.fraction(domain, self.prepared.curve_boundary().map(Arc::as_ref), &outline.vertices)
             }
             (SideAnchor::Plane(Anchor::Vertex(vertex)), SideGeometry::Space(surface), Given::Surface(given)) => {
-                SurfaceAnchor::Vertex(vertex).fraction(option, given, surface)
+                SurfaceAnchor::Vertex(vertex).fraction(option, &given.surface, surface)
             }
             (SideAnchor::Surface(anchor), SideGeometry::Space(surface), Given::Surface(given)) => {
-                anchor.fraction(option, given, surface)
+                anchor.fraction(option, &given.surface, surface)
             }
             (SideAnchor::Plane(_) | SideAnchor::Surface(_), ..) => {
                 Err(other_anchor(&self.title, self.is_surface(), option))
@@ -388,7 +393,7 @@ impl NamedSide {
     pub fn say_notes(&self, discretization: &Discretization) {
         match &self.given {
             Given::Outline(outline) => outline.say_notes(&self.title),
-            Given::Surface(surface) => {
+            Given::Surface(ReadSurface { surface, .. }) => {
                 let repairs = self.prepared.surface().into_iter().flat_map(|meshed| meshed.surface().repairs());
                 let notes = surface.notes().iter().map(ToString::to_string).chain(repairs.map(ToString::to_string));
                 notes.for_each(|note| eprintln!("riemap: {}: {note}", self.title));

@@ -11,6 +11,7 @@
 
 use super::flattened::{Division, Placement};
 use crate::geometry::{DVec2, DVec3};
+use crate::surface::container;
 use serde_json::{Value, json};
 
 /// Triangles in space.
@@ -228,18 +229,4 @@ impl File {
         document["buffers"] = json!([{ "byteLength": self.buffer.len() }]);
         container(&document, &self.buffer)
     }
-}
-
-/// A GLB file of a document and its buffer, whose length is a multiple of 4.
-pub(super) fn container(document: &Value, buffer: &[u8]) -> Vec<u8> {
-    let mut document = document.to_string().into_bytes();
-    document.resize(document.len().next_multiple_of(4), b' ');
-    let mut bytes = b"glTF\x02\0\0\0".to_vec();
-    bytes.extend((28 + document.len() as u32 + buffer.len() as u32).to_le_bytes());
-    for (kind, chunk) in [(b"JSON", &*document), (b"BIN\0", buffer)] {
-        bytes.extend((chunk.len() as u32).to_le_bytes());
-        bytes.extend(kind);
-        bytes.extend(chunk);
-    }
-    bytes
 }

@@ -12,26 +12,32 @@
 //! Between surfaces, the coordinates on the source are `source_x`, `source_y`, `source_z` in PLY and the attribute `_SOURCE`
 //! in GLB, whose texture coordinates are planar.
 
-use super::{FileFormat, Flattened, flattened::number, glb};
+use super::{EncodedSurface, FileFormat, Flattened, SurfaceSource, flattened::number, glb};
 use crate::conformal::{ConformalMap, Direction, Places};
 use crate::geometry::DVec3;
 use crate::mesh::VertexId;
 use std::fmt::Write as _;
 
-/// The mesh in a file format; `None` in one that has no place for its coordinates.
-pub fn mapped_mesh(map: &ConformalMap, format: FileFormat) -> Option<Vec<u8>> {
+/// The mesh in a file format; `None` in one that has no place for its coordinates. `source` is the file of the mapped surface:
+/// over an outline it is written as it was read.
+pub fn mapped_mesh(
+    map: &ConformalMap,
+    format: FileFormat,
+    source: Option<SurfaceSource<'_>>,
+) -> Option<EncodedSurface> {
     if map.mapped().is_surface() && !map.is_through_disk() {
-        return Some(Flattened::new(map, false)?.encode(format));
+        return Some(Flattened::new(map, false)?.encode_as_read(format, source));
     }
     let mesh = MappedMesh::of(map);
-    match format {
-        FileFormat::Obj => Some(mesh.obj().into_bytes()),
-        FileFormat::Ply if map.is_through_disk() => Some(mesh.ply().into_bytes()),
+    let bytes = match format {
+        FileFormat::Obj => mesh.obj().into_bytes(),
+        FileFormat::Ply if map.is_through_disk() => mesh.ply().into_bytes(),
         FileFormat::Glb if map.is_through_disk() => {
-            Some(glb::encode_mapped(&mesh.positions, &mesh.triangles, &mesh.coordinates))
+            glb::encode_mapped(&mesh.positions, &mesh.triangles, &mesh.coordinates)
         }
-        _ => None,
-    }
+        _ => return None,
+    };
+    Some(EncodedSurface { bytes, is_bare: false })
 }
 
 /// A mesh with positions on the target and coordinates on the source, both in the plane or both in space.

@@ -21,7 +21,7 @@ mod projection;
 mod ruling;
 mod tiles;
 
-pub use as_read::SurfaceSource;
+pub use as_read::{EncodedSurface, SurfaceSource};
 pub use drawing::{Panel, Part, Wire, panels, parts, svg};
 pub use flattened::{Division, Flattened, Placement};
 pub use format::FileFormat;

@@ -8,7 +8,7 @@ use crate::model::surface_tests::{planar, settle, spec};
 use crate::model::*;
 use crate::render::{Pattern, TextureStyle};
 use crate::session::{Command, SurfaceShape, SurfaceSpec, SurfaceState, TextureKind, link};
-use crate::surface::SurfacePreset;
+use crate::surface::{SurfacePreset, read_surface};
 
 fn with(surfaces: impl IntoIterator<Item = (Side, SurfacePreset)>) -> Model {
     let mut model = planar();
@@ -316,7 +316,12 @@ fn exported_images_between_two_surfaces_lie_on_the_other_surface() {
     assert!(text(FileFormat::Obj).unwrap().contains(&row), "{row}");
     assert!(text(FileFormat::Csv).unwrap().contains("z2 (target units)"));
     assert_eq!(text(FileFormat::Svg).unwrap().matches("class=\"domain\"").count(), 2);
-    assert!(text(FileFormat::Glb).unwrap_err().english().contains(".glb"));
+    let row = format!(" {} {} {}\n", places[0].x, places[0].y, places[0].z);
+    assert!(text(FileFormat::Ply).unwrap().contains(&row), "{row}");
+    let request = FileRequest { format: FileFormat::Glb, side: None, unit: true, corners: true };
+    let written = file(&model, request, None).unwrap().unwrap();
+    let (own, images) = (model.map().unwrap().mapped().vertex_count(), read_surface("a.glb", &written.bytes).unwrap());
+    assert_eq!(images.vertices().len(), own);
 }
 
 #[test]

@@ -9,6 +9,7 @@ use crate::model::editing::tracing;
 use crate::model::side::user_error::UserError;
 use crate::outline::Outline;
 use crate::session::{Touched, file, lesson};
+use std::collections::BTreeSet;
 
 /// The purpose for which a file is opened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -138,28 +139,36 @@ impl FileKind {
 /// A file that was dropped: its name, and its content or why it cannot be read.
 pub type DroppedFile = (String, Result<Vec<u8>, String>);
 
-/// Files that were dropped together, where a glTF document contains its buffers, which are no files of their own.
+/// Files that were dropped together, where a glTF document has its buffers and images, which are no files of their own: it is
+/// then a GLB file by its content.
 pub fn gathered(files: Vec<DroppedFile>) -> Vec<DroppedFile> {
-    let mut is_buffer = vec![false; files.len()];
+    let mut is_part = vec![false; files.len()];
     let mut documents = Vec::new();
     for (k, (name, document)) in files.iter().enumerate() {
         let Some(document) = document.as_ref().ok().filter(|_| has_ending(name, &["gltf"])) else { continue };
-        let readable = || files.iter().enumerate().filter(|(at, _)| *at != k);
-        let others: Vec<(usize, (&str, &[u8]))> =
-            readable().filter_map(|(at, (name, bytes))| Some((at, (leaf(name), bytes.as_deref().ok()?)))).collect();
-        let named: Vec<(&str, &[u8])> = others.iter().map(|&(_, file)| file).collect();
-        if let Some((whole, used)) = crate::surface::embedded(document, &named) {
-            for at in used {
-                is_buffer[others[at].0] = true;
-            }
-            documents.push((k, whole));
+        // two files of one name are in two folders, of which a drop does not tell
+        let mut wanted = BTreeSet::new();
+        let _ = crate::surface::packed(document, &mut |name| {
+            wanted.insert(name.to_owned());
+            None
+        });
+        let is_clear = |name: &str| wanted.iter().filter(|other| leaf(other) == leaf(name)).count() == 1;
+        let found = |name: &str| {
+            let mut found = (0..files.len()).filter(|&at| at != k && leaf(&files[at].0) == leaf(name));
+            found.next().filter(|_| found.next().is_none() && is_clear(name))
+        };
+        let mut neighbor = |name: &str| files[found(name)?].1.as_ref().ok().cloned();
+        let Some(packed) = crate::surface::packed(document, &mut neighbor) else { continue };
+        if !packed.neighbors.is_empty() {
+            packed.neighbors.iter().filter_map(|name| found(name)).for_each(|at| is_part[at] = true);
+            documents.push((k, packed.bytes));
         }
     }
     let mut files = files;
     for (k, whole) in documents {
         files[k].1 = Ok(whole);
     }
-    files.into_iter().zip(is_buffer).filter_map(|(file, is_buffer)| (!is_buffer).then_some(file)).collect()
+    files.into_iter().zip(is_part).filter_map(|(file, is_part)| (!is_part).then_some(file)).collect()
 }
 
 fn leaf(name: &str) -> &str {

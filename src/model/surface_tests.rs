@@ -1,7 +1,9 @@
 //! The model with a surface on the target's side.
 
 use crate::conformal::{PrepareSettings, Side};
+use crate::export::FileFormat;
 use crate::mesh::{BarycentricPoint, Sizing, TriangleId};
+use crate::model::export::{FileRequest, file};
 use crate::model::side::user_error::UserError;
 use crate::model::*;
 use crate::outline::{Preset, Sampling};
@@ -388,4 +390,33 @@ fn a_session_whose_surface_is_refined_during_its_preparation_keeps_the_points_th
     settle(&mut model);
     let state = model.session().surface(Side::Target).cloned().unwrap();
     assert_eq!((state.spec, state.point, state.anchor), (spec(SurfacePreset::Hemisphere, 30), None, 0.7));
+}
+
+#[test]
+fn a_file_is_exported_as_it_was_read_or_says_that_it_is_not() {
+    let quads =
+        "mtllib a.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nf 1 2 5 4\nf 2 3 6 5\n";
+    let strips = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
+        element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n";
+    for (name, content, format, is_kept) in [
+        ("quads.obj", quads, FileFormat::Obj, true),
+        ("quads.obj", quads, FileFormat::Ply, true),
+        ("strips.ply", strips, FileFormat::Obj, true),
+        ("strips.ply", strips, FileFormat::Ply, false),
+    ] {
+        let mut model = planar();
+        model.want_surface_file(Side::Target, name, content.as_bytes().to_vec());
+        settle(&mut model);
+        while !model.is_ready() {
+            model.refresh(false);
+        }
+        let request = FileRequest { format, side: None, unit: true, corners: false };
+        let written = file(&model, request, None).unwrap().unwrap();
+        let note = written.note.map(|note| note.english());
+        assert_eq!(note.is_none(), is_kept, "{name} {format:?}: {note:?}");
+        assert!(note.is_none_or(|note| note.contains("strips-mapped.ply has bare triangles")));
+        let text = String::from_utf8(written.bytes).unwrap();
+        let has_quads = text.contains("usemtl red") && text.contains("f 1/1 2/2 5/5 4/4\n");
+        assert_eq!(has_quads, (name, format) == ("quads.obj", FileFormat::Obj), "{text}");
+    }
 }

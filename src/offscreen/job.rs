@@ -150,10 +150,10 @@ impl Job {
         let format = film.format();
         let bytes = self.film.take().map(Film::finish).transpose().map_err(|error| Message::from(&error))?;
         let name = format!("riemap-animation.{}", format.extension());
-        Ok(bytes.map(|bytes| Progress::Done(ReadyFile { name, bytes })))
+        Ok(bytes.map(|bytes| Progress::Done(ReadyFile::new(name, bytes))))
     }
 }
 
 fn ready(bytes: Vec<u8>) -> Progress {
-    Progress::Done(ReadyFile { name: String::from("riemap.png"), bytes })
+    Progress::Done(ReadyFile::new("riemap.png", bytes))
 }

@@ -50,15 +50,16 @@ pub use note::{Place, SurfaceNote};
 pub use preset::{SurfacePreset, UnknownSurfacePreset};
 #[cfg(feature = "io")]
 pub use read::{
-    ENDINGS, Fault, Item, MAX_BYTES, SurfaceError, SurfaceFormat, Unsupported, check_size, embedded, names_format,
-    read_surface, read_surface_beside,
+    ENDINGS, Fault, Item, MAX_BYTES, PackedGltf, SurfaceError, SurfaceFormat, Unsupported, check_size, names_format,
+    packed, read_surface, read_surface_beside,
 };
 #[cfg(feature = "io")]
 pub(crate) use read::{
     Element, Encoding, GlbChunks, GltfPart, ObjCorner, ObjFile, ObjLine, PlyFile, PlyValue, Property, Scalar, Shape,
-    decoded, distinct,
+    container, decoded, distinct, vertex_color,
 };
 pub use repair::RepairNote;
+pub(crate) use survey::is_sound;
 pub use survey::{MAX_COORDINATE, MIN_EXTENT};
 #[cfg(feature = "io")]
 pub(crate) use topology_error::Bracketed;

@@ -61,7 +61,7 @@ pub(super) fn check_indices(surface: &Surface) -> Result<(), TopologyError> {
 }
 
 /// Whether a place is finite and no area there overflows.
-pub(super) fn is_sound(place: DVec3) -> bool {
+pub(crate) fn is_sound(place: DVec3) -> bool {
     place.abs().max_element() <= MAX_COORDINATE && place.is_finite()
 }
 

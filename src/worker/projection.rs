@@ -118,8 +118,8 @@ impl ProjectionTask {
         }
     }
 
-    /// The file's name without its extension; none for the island.
-    fn stem(&self) -> &str {
+    /// The file's name without its extension, or "island".
+    pub fn stem(&self) -> &str {
         match self {
             Self::File { name, .. } => name.rsplit_once('.').map_or(name, |(stem, _)| stem),
             Self::Island => "island",

@@ -1,7 +1,7 @@
 //! A sketch of a surface that cannot be opened: its triangles as lines, and the places of its faults.
 
 use crate::geometry::DVec3;
-use crate::surface::{MAX_COORDINATE, Surface, TopologyError};
+use crate::surface::{Surface, TopologyError, is_sound};
 
 /// The most triangles that are drawn; of more, every k-th one.
 const MOST_TRIANGLES: usize = 3000;
@@ -34,8 +34,11 @@ impl Sketch {
         }
         let place = placed(surface);
         let step = surface.triangles().len().div_ceil(MOST_TRIANGLES).max(1);
-        let drawn =
-            surface.triangles().iter().step_by(step).filter(|corners| corners.iter().all(|&v| has_place(surface, v)));
+        let drawn = surface
+            .triangles()
+            .iter()
+            .step_by(step)
+            .filter(|corners| corners.iter().all(|&v| is_sound(surface.vertices()[v as usize])));
         let triangles = drawn.map(|corners| corners.map(&place)).collect();
         let edges: Vec<_> = faults.edges.into_iter().take(MOST_MARKS).map(|ends| ends.map(&place)).collect();
         let vertices: Vec<_> = faults.vertices.into_iter().take(MOST_MARKS).map(&place).collect();
@@ -44,17 +47,11 @@ impl Sketch {
     }
 }
 
-/// Whether a vertex lies at a finite place.
-fn has_place(surface: &Surface, vertex: u32) -> bool {
-    let place = surface.vertices()[vertex as usize];
-    place.is_finite() && place.abs().max_element() <= MAX_COORDINATE
-}
-
 /// The place of a vertex: the box of all triangles is centered, and its longest edge fills the cube. The center for a vertex at
 /// no finite place.
 fn placed(surface: &Surface) -> impl Fn(u32) -> Place {
     let vertices = surface.vertices();
-    let corners = surface.triangles().as_flattened().iter().copied().filter(|&v| has_place(surface, v));
+    let corners = surface.triangles().as_flattened().iter().copied().filter(|&v| is_sound(vertices[v as usize]));
     let bounds = |least: fn(DVec3, DVec3) -> DVec3, start: f64| {
         corners.clone().map(|v| vertices[v as usize]).fold(DVec3::splat(start), least)
     };

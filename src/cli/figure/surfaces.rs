@@ -33,7 +33,8 @@ const LEGEND: f64 = 60.0;
 /// Draws one of these figures, with the surface called `name` instead of its own.
 pub fn draw(figure: Figure, detail: Detail, name: Option<&str>) -> Result<Drawing, CliError> {
     let given = name.map(read).transpose()?;
-    let studies = SurfaceStudy::all(figure, detail, given.as_ref()).map_err(|error| about(name, &error))?;
+    let studies = SurfaceStudy::all(figure, detail, given.as_ref().map(|read| &read.surface))
+        .map_err(|error| about(name, &error))?;
     let shown_preset = name.map_or_else(|| own_preset(&studies), preset);
     let shown: Vec<Shown<'_>> = studies.iter().map(|study| Shown::new(study, shown_preset)).collect();
     let raster = Raster::new()?;

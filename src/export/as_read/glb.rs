@@ -144,7 +144,7 @@ impl Divided<'_> {
             uv.map_or([0.0, 0.0], |uv| [uv.x, 1.0 - uv.y])
         };
         let accessor = data.add_pairs(numbers.map(uv))?;
-        let primitive = data.primitive(part.primitive);
+        let primitive = data.primitive(part.primitive)?;
         primitive["attributes"]["TEXCOORD_0"] = accessor.into();
         // the compressed copy has the old coordinates
         if let Some(extensions) = primitive.get_mut("extensions").and_then(Value::as_object_mut) {
@@ -152,7 +152,7 @@ impl Divided<'_> {
         }
         if triangles != part.triangles {
             let accessor = data.add_triangles(triangles)?;
-            let primitive = data.primitive(part.primitive);
+            let primitive = data.primitive(part.primitive)?;
             primitive["indices"] = accessor.into();
             primitive["mode"] = 4.into();
         }
@@ -162,7 +162,7 @@ impl Divided<'_> {
 
 /// Gives a primitive's attributes the values of new vertices. `None` if it has morph targets.
 fn extend_attributes(part: &GltfPart, new: &[NewVertex], data: &mut GltfData) -> Option<()> {
-    let primitive = data.primitive(part.primitive);
+    let primitive = data.primitive(part.primitive)?;
     if primitive.get("targets").is_some() {
         return None;
     }
@@ -181,23 +181,23 @@ fn extend_attributes(part: &GltfPart, new: &[NewVertex], data: &mut GltfData) ->
             }
         }
         let accessor = data.add(&elements)?;
-        data.primitive(part.primitive)["attributes"][name] = accessor.into();
+        data.primitive(part.primitive)?["attributes"][name] = accessor.into();
     }
     Some(())
 }
 
 /// Makes room for `TEXCOORD_0`, if textures use it. `None` if morph targets have texture coordinates.
 fn move_coordinates(document: &mut Value) -> Option<()> {
-    if document["textures"].as_array().is_none_or(Vec::is_empty) {
+    if document.get("textures").and_then(Value::as_array).is_none_or(Vec::is_empty) {
         return Some(());
     }
-    let meshes = document["meshes"].as_array_mut()?.iter_mut();
-    for primitive in meshes.filter_map(|mesh| mesh["primitives"].as_array_mut()).flatten() {
+    let meshes = document.get_mut("meshes")?.as_array_mut()?.iter_mut();
+    for primitive in meshes.filter_map(|mesh| mesh.get_mut("primitives")?.as_array_mut()).flatten() {
         let has_coordinates = |target: &Value| target.as_object().is_some_and(|keys| keys.contains_key("TEXCOORD_0"));
         if primitive["targets"].as_array().is_some_and(|targets| targets.iter().any(has_coordinates)) {
             return None;
         }
-        let attributes = primitive["attributes"].as_object_mut()?;
+        let attributes = primitive.get_mut("attributes")?.as_object_mut()?;
         let name = |k: usize| format!("TEXCOORD_{k}");
         let sets = (0..attributes.len()).take_while(|&k| attributes.contains_key(&name(k))).count();
         for k in (0..sets).rev() {

@@ -1,7 +1,6 @@
 //! A glTF document with its buffer, to which accessors are added.
 
-use crate::export::glb::container;
-use crate::surface::{GlbChunks, Scalar};
+use crate::surface::{GlbChunks, Scalar, container};
 use serde_json::{Value, json};
 
 /// A document whose only buffer is in its file.
@@ -39,14 +38,15 @@ impl GltfData {
         let document: Value = serde_json::from_slice(chunks.document).ok()?;
         let [buffer] = document["buffers"].as_array()?.as_slice() else { return None };
         let length = buffer["byteLength"].as_u64()? as usize;
-        let is_own = buffer["uri"].is_null();
+        let is_own = buffer.is_object() && buffer["uri"].is_null();
         let buffer = chunks.buffer?.get(..length)?.to_vec();
         is_own.then_some(Self { document, buffer })
     }
 
-    /// A primitive of a mesh.
-    pub(super) fn primitive(&mut self, [mesh, k]: [usize; 2]) -> &mut Value {
-        &mut self.document["meshes"][mesh]["primitives"][k]
+    /// A primitive of a mesh, with attributes by their names.
+    pub(super) fn primitive(&mut self, [mesh, k]: [usize; 2]) -> Option<&mut Value> {
+        let primitive = self.document.get_mut("meshes")?.get_mut(mesh)?.get_mut("primitives")?.get_mut(k)?;
+        primitive.get("attributes")?.is_object().then_some(primitive)
     }
 
     /// The elements of an accessor; `None` if it is sparse, or of matrices.

@@ -14,7 +14,7 @@ mod obj;
 mod ply;
 
 use super::{FileFormat, Flattened};
-use crate::surface::{Surface, SurfaceFormat};
+use crate::surface::{Surface, SurfaceFormat, packed};
 use faces::Faces;
 use numbers::Numbers;
 
@@ -30,26 +30,52 @@ pub struct SurfaceSource<'a> {
 }
 
 impl SurfaceSource<'_> {
-    /// Whether the file has this format, so that it can be written as it was read.
-    pub fn has_format(&self, format: FileFormat) -> bool {
+    /// Whether a file of the surface's `own` format can be written as it was read in this one: a glTF document as GLB.
+    pub fn is_kept(own: SurfaceFormat, format: FileFormat) -> bool {
         matches!(
-            (self.format, format),
+            (own, format),
             (SurfaceFormat::Obj, FileFormat::Obj)
                 | (SurfaceFormat::Ply, FileFormat::Ply)
-                | (SurfaceFormat::Glb, FileFormat::Glb)
+                | (SurfaceFormat::Glb | SurfaceFormat::Gltf, FileFormat::Glb)
         )
     }
 }
 
+/// A surface in a file format.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct EncodedSurface {
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// Whether the surface's own file has the same format, but cannot be written as it was read: triangle strips, free-form
+    /// surfaces, a GLB's buffers in other files, meshes that are placed twice.
+    pub is_bare: bool,
+}
+
 impl Flattened {
-    /// The file with texture coordinates, in its own format. `None` if what it has besides triangles cannot be kept: then
-    /// [`Self::encode`] writes bare triangles.
-    pub fn as_read(&self, source: SurfaceSource<'_>) -> Option<Vec<u8>> {
+    /// The surface in a file format. In that of its own file, everything else in the file stays as it is, if that can be;
+    /// else these are bare triangles.
+    pub fn encode_as_read(&self, format: FileFormat, source: Option<SurfaceSource<'_>>) -> EncodedSurface {
+        let source = source.filter(|source| SurfaceSource::is_kept(source.format, format));
+        match source.map(|source| self.as_read(source)) {
+            Some(Some(bytes)) => EncodedSurface { bytes, is_bare: false },
+            unkept => EncodedSurface { bytes: self.encode(format), is_bare: unkept.is_some() },
+        }
+    }
+
+    /// The file with texture coordinates, in its own format; `None` if what it has besides triangles cannot be kept.
+    fn as_read(&self, source: SurfaceSource<'_>) -> Option<Vec<u8>> {
+        // a file that is not the surface's
+        if self.vertices().get(..source.surface.vertices().len()) != Some(source.surface.vertices()) {
+            return None;
+        }
         match source.format {
             SurfaceFormat::Obj => obj::written(self, source),
             SurfaceFormat::Ply => ply::written(self, source),
             SurfaceFormat::Glb => glb::written(self, source),
-            SurfaceFormat::Stl | SurfaceFormat::Off | SurfaceFormat::Gltf => None,
+            SurfaceFormat::Gltf => {
+                glb::written(self, SurfaceSource { bytes: &packed(source.bytes, &mut |_| None)?.bytes, ..source })
+            }
+            SurfaceFormat::Stl | SurfaceFormat::Off => None,
         }
     }
 }

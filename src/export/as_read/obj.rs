@@ -1,6 +1,7 @@
 //! An OBJ file with other texture coordinates: its lines, with a `vt` for each `v` before the first face.
 //!
-//! Faces have absolute numbers and keep their normals; an added vertex has that of the nearest corner of its face. A triangle
+//! Faces have absolute numbers and keep their normals; an added vertex has that of the nearest corner of its face, and a color
+//! in between those of the vertices that it divides. A triangle
 //! in the place of a face has none if one of its corners is not of the face. The old `vt` are dropped. If vertices were
 //! added, those of the file that are behind its first face are moved before it, so that no face names a vertex that comes
 //! later.
@@ -8,7 +9,7 @@
 use super::added::Added;
 use super::{Faces, Numbers, SurfaceSource, faces::Written};
 use crate::export::Flattened;
-use crate::surface::{ObjCorner, ObjFile, ObjLine, Surface};
+use crate::surface::{ObjCorner, ObjFile, ObjLine, Surface, vertex_color};
 use std::io::Write as _;
 
 /// What is said before the first face.
@@ -22,7 +23,7 @@ pub(super) fn written(flattened: &Flattened, source: SurfaceSource<'_>) -> Optio
     let added = Added::new(flattened, source.surface, &numbers);
     let normals = Normals { surface: source.surface, added: &added };
     let text = Vec::with_capacity(2 * source.bytes.len());
-    let mut out = Writer { flattened, numbers: &numbers, faces, normals, text };
+    let mut out = Writer { flattened, numbers: &numbers, added: &added, faces, normals, text };
     let (mut passed, mut is_begun, mut is_moved) = (0, false, false);
     for line in file.lines() {
         match line.ok()? {
@@ -52,6 +53,7 @@ pub(super) fn written(flattened: &Flattened, source: SurfaceSource<'_>) -> Optio
 struct Writer<'a> {
     flattened: &'a Flattened,
     numbers: &'a Numbers<'a>,
+    added: &'a Added,
     faces: Faces<'a>,
     normals: Normals<'a>,
     text: Vec<u8>,
@@ -66,24 +68,29 @@ impl Writer<'_> {
     /// Writes what comes before the first face, after `passed` vertices: the added vertices and all coordinates. Says
     /// whether the rest of the vertices was moved here.
     fn begin_faces(&mut self, file: &ObjFile<'_>, passed: usize) -> Option<bool> {
-        let added = self.numbers.added_count(self.flattened);
-        if added > 0 {
-            let vertices = file.lines().filter_map(|line| match line {
+        let mut vertices = Vec::new();
+        if !self.added.is_empty() {
+            vertices.extend(file.lines().filter_map(|line| match line {
                 Ok(ObjLine::Vertex(line)) => Some(line),
                 _ => None,
-            });
-            vertices.skip(passed).for_each(|line| self.line(line));
+            }));
+            vertices.iter().skip(passed).for_each(|line| self.line(line));
         }
         let mut told = format!("{REMARK}\n");
         self.flattened.told(&mut told, "#", 1, &|vertex| self.numbers.of(vertex));
         self.text.extend_from_slice(told.as_bytes());
-        for p in &self.flattened.vertices()[self.flattened.vertices().len() - added..] {
-            writeln!(self.text, "v {} {} {}", p.x, p.y, p.z).ok()?;
+        for vertex in self.added.iter() {
+            let p = vertex.place();
+            write!(self.text, "v {} {} {}", p.x, p.y, p.z).ok()?;
+            match vertex.weighted(&vertices).and_then(|lines| color(&lines)) {
+                Some([red, green, blue]) => writeln!(self.text, " {red} {green} {blue}").ok()?,
+                None => self.line(b""),
+            }
         }
         for uv in self.faces.coordinates().into_iter().map(Option::unwrap_or_default) {
             writeln!(self.text, "vt {} {}", uv.x, uv.y).ok()?;
         }
-        Some(added > 0)
+        Some(!self.added.is_empty())
     }
 
     /// Writes what stands in the place of a face.
@@ -135,6 +142,15 @@ impl Writer<'_> {
         }
         self.line(b"");
     }
+}
+
+/// The weighted mean of the colors in the lines of vertices; `None` if one has none.
+fn color(lines: &[(&&[u8], f64)]) -> Option<[f64; 3]> {
+    let mut sum = [0.0; 3];
+    for (line, weight) in lines {
+        sum.iter_mut().zip(vertex_color(line)?).for_each(|(sum, value)| *sum += weight * value);
+    }
+    Some(sum)
 }
 
 /// The normals of triangles in the place of faces.

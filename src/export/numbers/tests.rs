@@ -26,7 +26,7 @@ fn rows(text: &str) -> Vec<Vec<f64>> {
 }
 
 fn mapped_obj(map: &ConformalMap) -> String {
-    String::from_utf8(mapped_mesh(map, FileFormat::Obj).unwrap()).unwrap()
+    String::from_utf8(mapped_mesh(map, FileFormat::Obj, None).unwrap().bytes).unwrap()
 }
 
 /// The number of decreases in a column of arc-length fractions, which must lie in [0, 1].

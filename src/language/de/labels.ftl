@@ -816,9 +816,11 @@ paper_figures = Figuren des Artikels
 
 ## request
 
-surface_obj_tooltip = Wavefront OBJ: die Ecken in ihrer Reihenfolge, jede mit ihrer Texturkoordinate
-surface_ply_tooltip = PLY, ASCII: x y z s t für jede Ecke
-surface_glb_tooltip = Binäres glTF mit Texturkoordinaten
+surface_obj_tooltip = Wavefront OBJ: die Ecken in ihrer Reihenfolge, jede mit ihrer Texturkoordinate; eine OBJ-Datei behält alles andere
+surface_ply_tooltip = PLY: x y z s t für jede Ecke; eine PLY-Datei behält alles andere
+surface_glb_tooltip = Binäres glTF mit Texturkoordinaten; eine glTF-Datei behält Materialien und Bilder
+mapped_ply_tooltip = PLY, ASCII: jede Ecke im Bild und ihr Ort im Urbild
+mapped_glb_tooltip = Binäres glTF: das Netz im Bild, seine Orte im Urbild als _SOURCE
 surface_csv_tooltip = Eine Tabelle: x, y, z, u, v für jede Ecke
 surface_svg_tooltip = Die Kanten der Abwicklung im Umriss
 animated_png = Animiertes PNG

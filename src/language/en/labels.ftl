@@ -816,9 +816,11 @@ paper_figures = The paper's figures
 
 ## request
 
-surface_obj_tooltip = Wavefront OBJ: the vertices in their order, each with its texture coordinate
-surface_ply_tooltip = PLY, ascii: x y z s t for each vertex
-surface_glb_tooltip = Binary glTF with texture coordinates
+surface_obj_tooltip = Wavefront OBJ: the vertices in their order, each with its texture coordinate; an OBJ file keeps everything else
+surface_ply_tooltip = PLY: x y z s t for each vertex; a PLY file keeps everything else
+surface_glb_tooltip = Binary glTF with texture coordinates; a glTF file keeps materials and images
+mapped_ply_tooltip = PLY, ascii: each vertex in the target, and where it lies in the source
+mapped_glb_tooltip = Binary glTF: the mesh in the target, its places in the source as _SOURCE
 surface_csv_tooltip = A table: x, y, z, u, v for each vertex
 surface_svg_tooltip = The edges of the layout in the outline
 animated_png = Animated PNG

@@ -165,7 +165,7 @@ keys_of_labels! {
     // window
     figures, swap_waits, export, gallery, keys_and_gestures, save, paper_figures,
     // request
-    surface_obj_tooltip, surface_ply_tooltip, surface_glb_tooltip, surface_csv_tooltip, surface_svg_tooltip,
+    surface_obj_tooltip, surface_ply_tooltip, surface_glb_tooltip, mapped_ply_tooltip, mapped_glb_tooltip, surface_csv_tooltip, surface_svg_tooltip,
     animated_png, png_tooltip, animated_png_tooltip, gif_tooltip, svg_tooltip, disks_svg_tooltip, csv_tooltip, obj_tooltip, png, gif,
     svg, csv, obj, ply, glb, formula, formula_tooltip,
     // formula

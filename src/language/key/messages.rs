@@ -67,7 +67,7 @@ keys_of_messages! {
     verbatim(text); about(name, what); both_items(first, second); sentence(what); both_clauses(first, second);
     both_sentences(first, second); sentence_and(first, second); address_unknown(asked, option, known);
     address_unknown_and_more(asked, more, option, known); address_keeps(control); graphics_device_lost(reason); scene_radius(radius);
-    planar_map_format(format); surfaces_map_format(format); not_saved(name, reason); last_session_not_opened(reason); link_not_opened(reason);
+    planar_map_format(format); bare_triangles(name); not_saved(name, reason); last_session_not_opened(reason); link_not_opened(reason);
     link_misses_outline(side, name); session_not_kept(reason); files_not_kept(reason); only_session_kept(reason); pasted_text_not_shown(reason, bytes, limit);
     disk_stands_in(side, name); surface_not_in_link(name); link_copied_but(reasons); grey_in_colours(what); open_in_picture(what);
     preparation_stopped(reason); session_not_saved(reason); no_link_to_session(reason); no_window(cause);

@@ -1,14 +1,18 @@
 //! The map as a file of numbers or of vector graphics.
 
 use crate::conformal::{ConformalMap, Side};
-use crate::export::{Base, FileFormat, Flattened, Panel, Part, Ruling, boundary_csv, mapped_mesh, parts, svg};
+use crate::export::{
+    self, Base, EncodedSurface, FileFormat, Flattened, Panel, Part, Ruling, boundary_csv, mapped_mesh, parts, svg,
+};
 use crate::language::{Message, key};
 use crate::model::export::picture_base::PictureBase;
 use crate::model::export::request::Layout;
 use crate::model::{Model, pattern};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::SurfaceShape;
+use crate::surface::{SurfaceFormat, read_surface};
 use crate::tiling::{TilingPattern, TilingStyle};
+use crate::worker::SurfaceSource;
 use image::RgbaImage;
 
 /// A file that is ready to be saved.
@@ -18,6 +22,15 @@ pub struct ReadyFile {
     pub name: String,
     /// Its content.
     pub bytes: Vec<u8>,
+    /// What is to be said about it.
+    pub note: Option<Message>,
+}
+
+impl ReadyFile {
+    /// A file about which nothing is to be said.
+    pub fn new(name: impl Into<String>, bytes: impl Into<Vec<u8>>) -> Self {
+        Self { name: name.into(), bytes: bytes.into(), note: None }
+    }
 }
 
 /// What of a map goes into a file.
@@ -43,15 +56,13 @@ pub fn file(model: &Model, request: FileRequest, picture: Option<&RgbaImage>) ->
         FileFormat::Svg if map.is_through_disk() => disks(model, map, request.side)?.into_bytes(),
         FileFormat::Svg => drawing(model, request.side)?.into_bytes(),
         FileFormat::Csv => boundary_csv(map).into_bytes(),
-        FileFormat::Obj => mapped_mesh(map, request.format)?,
-        FileFormat::Ply | FileFormat::Glb => {
-            let format = request.format.extension();
-            let refusal = if map.is_through_disk() { key::surfaces_map_format } else { key::planar_map_format };
-            return Some(Err(refusal(format)));
-        }
+        FileFormat::Obj | FileFormat::Ply | FileFormat::Glb => match mapped_mesh(map, request.format, None) {
+            Some(mesh) => mesh.bytes,
+            None => return Some(Err(key::planar_map_format(request.format.extension()))),
+        },
     };
     let name = format!("riemap.{}", request.format.extension());
-    Some(Ok(ReadyFile { name, bytes }))
+    Some(Ok(ReadyFile::new(name, bytes)))
 }
 
 /// The surface as it was given, every vertex with its place in the outline.
@@ -61,15 +72,36 @@ fn surface_file(
     request: FileRequest,
     picture: Option<&RgbaImage>,
 ) -> Option<Result<ReadyFile, Message>> {
-    let (_, state) = model.surface(side)?;
+    let (surface, state) = model.surface(side)?;
     let flattened = flattened(model, Layout { unit: request.unit, corners: request.corners })?;
     let picture = picture.filter(|_| request.format == FileFormat::Glb);
-    let bytes = match picture.and_then(|picture| PictureBase::new(model, picture)) {
-        Some(Ok(base)) => flattened.glb(Some(&Base { png: base.png(), lookup: &|place| base.lookup(place) })),
+    let EncodedSurface { bytes, is_bare } = match picture.and_then(|picture| PictureBase::new(model, picture)) {
+        Some(Ok(base)) => {
+            let base = Base { png: base.png(), lookup: &|place| base.lookup(place) };
+            EncodedSurface { bytes: flattened.glb(Some(&base)), is_bare: false }
+        }
         Some(Err(error)) => return Some(Err(error)),
-        None => flattened.encode(request.format),
+        None => as_read(surface.preparation.source(), &flattened, request.format),
     };
-    Some(Ok(ReadyFile { name: format!("{}-mapped.{}", stem(&state.spec.shape), request.format.extension()), bytes }))
+    let name = format!("{}-mapped.{}", stem(&state.spec.shape), request.format.extension());
+    let note = is_bare.then(|| key::bare_triangles(&name));
+    Some(Ok(ReadyFile { name, bytes, note }))
+}
+
+/// The surface in a file format, in that of its own file as it was read.
+fn as_read(source: Option<&SurfaceSource>, flattened: &Flattened, format: FileFormat) -> EncodedSurface {
+    let Some(SurfaceSource::File(file)) = source else { return flattened.encode_as_read(format, None) };
+    let own = SurfaceFormat::of(&file.name, &file.bytes).ok();
+    let Some(own) = own.filter(|own| export::SurfaceSource::is_kept(*own, format)) else {
+        return flattened.encode_as_read(format, None);
+    };
+    match read_surface(&file.name, &file.bytes) {
+        Ok(surface) => {
+            let source = export::SurfaceSource { format: own, bytes: &file.bytes, surface: &surface };
+            flattened.encode_as_read(format, Some(source))
+        }
+        Err(_) => EncodedSurface { bytes: flattened.encode(format), is_bare: true },
+    }
 }
 
 /// The surface over an outline with its texture coordinates, as it is saved: divided at the outline's corners if the

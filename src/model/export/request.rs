@@ -31,9 +31,11 @@ impl Kind {
         Self::Film(FilmFormat::Gif),
         Self::Formula,
     ];
-    const THROUGH_DISK: [Self; 7] = [
+    const THROUGH_DISK: [Self; 9] = [
         Self::Picture,
         Self::File(FileFormat::Obj),
+        Self::File(FileFormat::Ply),
+        Self::File(FileFormat::Glb),
         Self::File(FileFormat::Csv),
         Self::File(FileFormat::Svg),
         Self::Film(FilmFormat::Png),
@@ -90,6 +92,8 @@ impl Kind {
             (Self::File(FileFormat::Csv), true) => key::surface_csv_tooltip(),
             (Self::File(FileFormat::Obj), false) => key::obj_tooltip(),
             (Self::File(FileFormat::Obj), true) => key::surface_obj_tooltip(),
+            (Self::File(FileFormat::Ply), false) => key::mapped_ply_tooltip(),
+            (Self::File(FileFormat::Glb), false) => key::mapped_glb_tooltip(),
             (Self::File(FileFormat::Ply), _) => key::surface_ply_tooltip(),
             (Self::File(FileFormat::Glb), _) => key::surface_glb_tooltip(),
             (Self::Formula, _) => key::formula_tooltip(),

@@ -209,7 +209,7 @@ impl GridState {
 
 fn file(FoundGrid { content, .. }: FoundGrid, format: GridFormat) -> ReadyFile {
     let text = if let GridContent::File(text) = content { text } else { String::new() };
-    ReadyFile { name: format!("riemap_grid.{}", format.extension()), bytes: text.into_bytes() }
+    ReadyFile::new(format!("riemap_grid.{}", format.extension()), text)
 }
 
 #[cfg(test)]

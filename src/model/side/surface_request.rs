@@ -84,6 +84,11 @@ impl Preparation<Option<SurfaceRequest>> {
         self.good().and_then(Option::as_ref).is_some_and(is_of)
     }
 
+    /// The source of the last good surface.
+    pub fn source(&self) -> Option<&SurfaceSource> {
+        self.good()?.as_ref().map(|request| &request.source)
+    }
+
     /// Requests the last good surface if it is the one that `spec` describes; returns whether it is.
     pub fn want_last_good(&mut self, spec: &SurfaceSpec, source: Option<&SurfaceSource>) -> bool {
         let is_there = self.is_last_good(spec, source);

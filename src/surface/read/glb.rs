@@ -3,6 +3,7 @@
 use super::scalar::{Cursor, Scalar};
 use super::{Fault, Item, Neighbor, Place, SurfaceError, Unsupported, gltf};
 use crate::surface::Surface;
+use serde_json::Value;
 
 /// Signature, version and length.
 const HEADER: usize = 12;
@@ -65,4 +66,18 @@ fn chunks(bytes: &[u8]) -> Result<[Option<&[u8]>; 2], SurfaceError> {
 fn without_padding(text: &[u8]) -> &[u8] {
     let end = text.iter().rposition(|&b| b != 0).map_or(0, |last| last + 1);
     &text[..end]
+}
+
+/// A GLB file of a document and its buffer, whose length is a multiple of 4.
+pub(crate) fn container(document: &Value, buffer: &[u8]) -> Vec<u8> {
+    let mut document = document.to_string().into_bytes();
+    document.resize(document.len().next_multiple_of(4), b' ');
+    let mut bytes = b"glTF\x02\0\0\0".to_vec();
+    bytes.extend((28 + document.len() as u32 + buffer.len() as u32).to_le_bytes());
+    for (kind, chunk) in [(b"JSON", &*document), (b"BIN\0", buffer)] {
+        bytes.extend((chunk.len() as u32).to_le_bytes());
+        bytes.extend(kind);
+        bytes.extend(chunk);
+    }
+    bytes
 }

@@ -140,7 +140,7 @@ fn normalized(value: f64, scalar: Scalar) -> f64 {
 }
 
 /// The bytes in a `data:` URI, or in the neighboring file that a relative one names.
-fn loaded(uri: &str, place: Place, neighbor: &mut Neighbor) -> Result<Vec<u8>, SurfaceError> {
+pub(super) fn loaded(uri: &str, place: Place, neighbor: &mut Neighbor) -> Result<Vec<u8>, SurfaceError> {
     let Some((kind, text)) = uri.strip_prefix("data:").and_then(|rest| rest.split_once(',')) else {
         let name = unescaped(uri);
         let found = if is_neighbor(&name) { neighbor(&name) } else { None };
@@ -186,7 +186,7 @@ fn is_neighbor(name: &str) -> bool {
 }
 
 /// Base 64 (RFC 4648, section 4), taken with or without padding.
-pub(super) const BASE64: GeneralPurpose = GeneralPurpose::new(
+const BASE64: GeneralPurpose = GeneralPurpose::new(
     &STANDARD,
     GeneralPurposeConfig::new()
         .with_decode_padding_mode(DecodePaddingMode::Indifferent)

@@ -18,7 +18,7 @@ mod fault;
 mod glb;
 mod gltf;
 mod gltf_buffers;
-mod gltf_embed;
+mod gltf_pack;
 mod gltf_parts;
 mod item;
 mod memory;
@@ -39,11 +39,11 @@ use crate::utf16;
 pub use error::SurfaceError;
 pub(crate) use faces::distinct;
 pub use fault::Fault;
-pub(crate) use glb::GlbChunks;
-pub use gltf_embed::embedded;
+pub(crate) use glb::{GlbChunks, container};
+pub use gltf_pack::{PackedGltf, packed};
 pub(crate) use gltf_parts::GltfPart;
 pub use item::{Item, Unsupported};
-pub(crate) use obj_lines::{ObjCorner, ObjFile, ObjLine};
+pub(crate) use obj_lines::{ObjCorner, ObjFile, ObjLine, vertex_color};
 pub(crate) use ply_file::{PlyFile, PlyValue};
 pub(crate) use ply_header::{Element, Encoding, Property, Shape};
 pub(crate) use scalar::Scalar;
@@ -55,8 +55,9 @@ pub const MAX_BYTES: usize = 512 << 20;
 
 /// Reads a surface from a file's name and bytes.
 ///
-/// The first bytes decide the format, and where they do not, the extension (`obj`, `ply`, `stl`, `off`, `gltf`, `glb`). Vertices that a program has split are merged (file `weld`). All objects of an OBJ file and the
-/// default scene of a glTF file are read. Refused are surfaces that take more memory than there is. Cost O(bytes).
+/// The first bytes decide the format, and where they do not, the extension (`obj`, `ply`, `stl`, `off`, `gltf`, `glb`).
+/// Vertices that a program has split are merged (file `weld`). All objects of an OBJ file and the default scene of a glTF
+/// file are read. Refused are surfaces that take more memory than there is. Cost O(bytes).
 pub fn read_surface(file_name: &str, bytes: &[u8]) -> Result<Surface, SurfaceError> {
     read_surface_beside(file_name, bytes, &mut |_| None)
 }
@@ -119,6 +120,7 @@ impl SurfaceFormat {
     /// The format of a file: that of its content, if it is known, or that of its name. A binary STL file begins with any
     /// words, and has zeros in the number after them.
     pub fn of(file_name: &str, bytes: &[u8]) -> Result<Self, SurfaceError> {
+        let bytes = &*decoded(bytes);
         let extension = extension_of(file_name);
         let named = ENDINGS.iter().position(|ending| *ending == extension).map(|k| Self::ALL[k]);
         let may_be_stl = named == Some(Self::Stl) && bytes[..bytes.len().min(stl::HEADER)].contains(&0);

@@ -81,6 +81,12 @@ fn read(number: usize, whole: &[u8], vertices: usize) -> Result<ObjLine<'_>, Sur
     }
 }
 
+/// The color at the end of a vertex's line, three numbers after its place; `None` without one.
+pub(crate) fn vertex_color(line: &[u8]) -> Option<[f64; 3]> {
+    let words = Line::of(0, line).words().skip(4).map(|word| std::str::from_utf8(word).ok()?.parse().ok());
+    words.collect::<Option<Vec<f64>>>()?.try_into().ok()
+}
+
 /// The third part of `7/3/5` or `7//5`; empty without one.
 fn normal_of(word: &[u8]) -> &[u8] {
     word.split(|&b| b == b'/').nth(2).unwrap_or_default()

@@ -77,7 +77,7 @@ impl Exporter {
         match (std::mem::take(&mut self.formula), finding) {
             (FormulaWork::Running { asked, .. }, Finding::Formula(found)) => {
                 let name = format!("riemap_formula.{}", task.format().extension());
-                let file = ReadyFile { name, bytes: found.text.into_bytes() };
+                let file = ReadyFile::new(name, found.text);
                 let made = FormulaWork::Made { asked, file: file.clone(), reached: found.reached, is_current: true };
                 self.formula = made;
                 return Some(file);

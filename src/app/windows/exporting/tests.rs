@@ -127,7 +127,7 @@ fn planar_maps_and_surfaces_have_their_own_formats() {
     let all = [[false, false], [false, true], [true, false], [true, true]];
     let all = all.map(|[source, target]| Abilities::between(PerSide::new(source, target)));
     let with_coordinates = all.map(|abilities| Kind::all(abilities).contains(&Kind::File(FileFormat::Glb)));
-    assert_eq!(with_coordinates, [false, true, true, false]);
+    assert_eq!(with_coordinates, [false, true, true, true]);
     for abilities in all {
         let labels: Vec<_> = Kind::all(abilities).iter().map(|kind| kind.label().english()).collect();
         assert!(labels.contains(&"PNG") && labels.contains(&"GIF") && labels.contains(&"SVG"), "{labels:?}");

@@ -102,7 +102,7 @@ impl Exporter {
         (self.job, self.formula) = (None, FormulaWork::None);
     }
 
-    /// Sets the error that the window shows; `None` clears it.
+    /// Sets the error or the note that the window shows; `None` clears it.
     pub fn tell(&mut self, error: Option<Message>) {
         self.error = error;
     }

@@ -112,12 +112,9 @@ impl ProjectionWindow {
     /// The map as a file.
     pub fn file(&self, format: ProjectionFormat) -> Option<ReadyFile> {
         let place = ProjectionFormat::ALL.iter().position(|other| *other == format)?;
-        let stem = match self.task.as_ref()? {
-            ProjectionTask::Island => "island",
-            ProjectionTask::File { name, .. } => name.rsplit_once('.').map_or(name.as_str(), |(stem, _)| stem),
-        };
+        let stem = self.task.as_ref()?.stem();
         let bytes = self.found()?.files[place].clone().into_bytes();
-        Some(ReadyFile { name: format!("{stem}_projection.{}", format.extension()), bytes })
+        Some(ReadyFile::new(format!("{stem}_projection.{}", format.extension()), bytes))
     }
 
     /// Why there is no map, with the file's name; nothing while the window is closed.

@@ -1,0 +1,83 @@
+//! The logarithmic capacity of a curve, with an error estimate.
+//!
+//! log c = ∫ log|s − x| dμ(s) for any x inside, where μ is the equilibrium measure: (½ I + K*) μ = 0, ∫ dμ = 1. It depends on
+//! the curve alone, and so do its panels and its error: the difference of two resolutions, and what a spline's points leave
+//! open of the boundary (Hadamard's formula, as for the conformal radius).
+
+use super::invariants::{Estimate, both};
+use super::layout::{Layout, layout};
+use super::leg::Node;
+use super::legendre::{NODES, Rule};
+use super::spans::left_open;
+use super::{BoundaryIntegralError, Problem, Settings, System};
+use crate::geometry::{Curve, DVec2};
+use std::f64::consts::TAU;
+
+/// The logarithmic capacity. Fails if the curve needs too many unknowns.
+pub fn capacity(curve: &Curve) -> Result<Estimate, BoundaryIntegralError> {
+    let settings = Settings::default();
+    let coarse = Equilibrium::compute(curve, &settings)?;
+    let fine = Equilibrium::compute(curve, &settings.finer())?;
+    let open = moved(curve, (&fine.layout, &fine.system), &fine.charges);
+    Ok(both(coarse.log_capacity(curve), fine.log_capacity(curve), 1.0).wider(SPREAD * open).exp())
+}
+
+/// The boundary moves by as much as its points leave open in no known direction: this many times the first order.
+const SPREAD: f64 = 2.0;
+
+/// The equilibrium measure on panels.
+struct Equilibrium {
+    layout: Layout,
+    system: System,
+    /// Their total is 1.
+    charges: Vec<f64>,
+}
+
+impl Equilibrium {
+    fn compute(curve: &Curve, settings: &Settings) -> Result<Self, BoundaryIntegralError> {
+        let layout = layout(curve, &[], (settings.fineness, Problem::Interior), settings.max_unknowns)?;
+        let system = System::new(curve, &layout, Problem::Exterior)?;
+        let charges = system.charges(&system.equilibrium());
+        let total: f64 = charges.iter().sum();
+        if !(total.is_finite() && total > 0.0) {
+            return Err(BoundaryIntegralError::Singular);
+        }
+        let charges = charges.into_iter().map(|charge| charge / total).collect();
+        Ok(Self { layout, system, charges })
+    }
+
+    /// The potential inside, where it is constant, at the point that is farthest from all panels in lengths of the panels.
+    fn log_capacity(&self, curve: &Curve) -> f64 {
+        let lengths = self.system.panel_lengths();
+        let places: Vec<DVec2> = self.system.places().collect();
+        let middles = self.system.nodes().skip(NODES / 2).step_by(NODES).enumerate();
+        let inward = |(k, (base, node)): (usize, (DVec2, &Node))| {
+            let (from, step) = (base + node.offset, lengths[k] * node.normal.normalize_or_zero());
+            STEPS.map(|steps| from - steps * step)
+        };
+        let clearance = |x: DVec2| {
+            let of_node = |(k, place): (usize, &DVec2)| place.distance(x) / lengths[k / NODES];
+            places.iter().enumerate().map(of_node).fold(f64::INFINITY, f64::min)
+        };
+        let candidates = middles.step_by(lengths.len().div_ceil(VIEWPOINTS)).flat_map(inward);
+        let inside = candidates.filter(|&x| curve.contains(x)).map(|x| (clearance(x), x));
+        let best = inside.max_by(|(a, _), (b, _)| a.total_cmp(b));
+        best.map_or(f64::NAN, |(_, x)| self.system.logarithm(&self.charges, x))
+    }
+}
+
+/// How many lengths of its panel a point is away from the boundary.
+const STEPS: [f64; 6] = [0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
+/// The panels from which points are taken, of which the best one is used.
+const VIEWPOINTS: usize = 64;
+
+/// How much the logarithm of a radius changes where the boundary moves by what the points of its splines leave open.
+pub(super) fn moved(curve: &Curve, (layout, system): (&Layout, &System), charges: &[f64]) -> f64 {
+    let lengths = system.panel_lengths();
+    let open: Vec<f64> = layout.panels.iter().map(|panel| left_open(curve, panel)).collect();
+    let at = |(k, charge): (usize, &f64)| {
+        let (panel, weight) = (k / NODES, 0.5 * Rule::get().weights[k % NODES]);
+        charge * charge * open[panel] / (weight * lengths[panel])
+    };
+    TAU * charges.iter().enumerate().map(at).sum::<f64>()
+}
