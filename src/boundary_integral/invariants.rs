@@ -238,6 +238,6 @@ impl Numbers {
     }
 }
 
-fn has_splines(curve: &Curve) -> bool {
+pub(super) fn has_splines(curve: &Curve) -> bool {
     curve.pieces().iter().any(|piece| matches!(piece, Piece::Spline { .. }))
 }
