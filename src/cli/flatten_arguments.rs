@@ -287,11 +287,25 @@ pub fn read(name: &str) -> Result<ReadSurface, CliError> {
         return Ok(ReadSurface { surface, file: None });
     }
     let bytes = read_file(name, MAX_BYTES)?;
-    let folder = Path::new(name).parent().unwrap_or(Path::new(""));
-    let mut neighbor = |file: &str| read_file(&folder.join(file).to_string_lossy(), MAX_BYTES).ok();
-    let surface = read_surface_beside(name, &bytes, &mut neighbor).map_err(|error| input(&error))?;
+    let surface = read_surface_beside(name, &bytes, &mut beside(name)).map_err(|error| input(&error))?;
+    let bytes = with_neighbors(name, bytes);
     let format = SurfaceFormat::of(name, &bytes).map_err(|error| input(&error))?;
-    let whole = if format == SurfaceFormat::Gltf { packed(&bytes, &mut neighbor) } else { None };
-    let file = whole.map_or((format, bytes), |whole| (SurfaceFormat::Glb, whole.bytes));
-    Ok(ReadSurface { surface, file: Some(file) })
+    Ok(ReadSurface { surface, file: Some((format, bytes)) })
+}
+
+/// The content of a surface's file: a glTF document with the files beside it as one GLB.
+pub fn with_neighbors(name: &str, bytes: Vec<u8>) -> Vec<u8> {
+    if !matches!(SurfaceFormat::of(name, &bytes), Ok(SurfaceFormat::Gltf)) {
+        return bytes;
+    }
+    match packed(&bytes, &mut beside(name)) {
+        Some(whole) => whole.bytes,
+        None => bytes,
+    }
+}
+
+/// Reads files beside the one of this name.
+fn beside(name: &str) -> impl FnMut(&str) -> Option<Vec<u8>> {
+    let folder = Path::new(name).parent().unwrap_or(Path::new("")).to_owned();
+    move |file| read_file(&folder.join(file).to_string_lossy(), MAX_BYTES).ok()
 }

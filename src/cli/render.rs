@@ -1,6 +1,7 @@
 //! `riemap render`: a session as a picture, as the app shows it, or as another file; `riemap link`: a session's link.
 
 use super::CliError;
+use super::flatten_arguments::with_neighbors;
 use super::moved::say_moved;
 use super::named_outline::{read_file, read_outline};
 use super::output::{check_paths, print, write_all};
@@ -201,7 +202,7 @@ fn surface_files(
         if names_format(name) && is_from_file(session, side) {
             rename_surface(session, side, name);
         }
-        files[side] = Some(read_file(name, MAX_BYTES)?);
+        files[side] = Some(with_neighbors(name, read_file(name, MAX_BYTES)?));
     }
     Ok(files)
 }

@@ -154,7 +154,8 @@ pub fn gathered(files: Vec<DroppedFile>) -> Vec<DroppedFile> {
         });
         let is_clear = |name: &str| wanted.iter().filter(|other| leaf(other) == leaf(name)).count() == 1;
         let found = |name: &str| {
-            let mut found = (0..files.len()).filter(|&at| at != k && leaf(&files[at].0) == leaf(name));
+            let mut found =
+                (0..files.len()).filter(|&at| leaf(&files[at].0) == leaf(name) && !has_ending(&files[at].0, &["gltf"]));
             found.next().filter(|_| found.next().is_none() && is_clear(name))
         };
         let mut neighbor = |name: &str| files[found(name)?].1.as_ref().ok().cloned();

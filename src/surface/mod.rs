@@ -59,6 +59,7 @@ pub(crate) use read::{
     container, decoded, distinct, vertex_color,
 };
 pub use repair::RepairNote;
+#[cfg(feature = "io")]
 pub(crate) use survey::is_sound;
 pub use survey::{MAX_COORDINATE, MIN_EXTENT};
 #[cfg(feature = "io")]

@@ -23,6 +23,9 @@ async function saved(app, ...names) {
   return app.download(await placeOf(app, 'Save'));
 }
 
+/** Two quadrilaterals with a material. */
+const QUADS = 'mtllib oak.mtl\nusemtl oak\nv 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nf 1 2 5 4\nf 2 3 6 5';
+
 /** The chunks of a PNG, by type. */
 function chunksOf(png) {
   assert.equal(png.subarray(1, 4).toString(), 'PNG');
@@ -131,6 +134,20 @@ withEachBackend('exports and motion', (bench) => {
       const { bytes } = await saved(app, 'PNG', 'Target', 'Transparent');
       const pixels = await app.pixelsOf(bytes, [[0, 0], [800, 450]]);
       assert.deepEqual([pixels[0][3], pixels[1][3]], [0, 255]);
+    }),
+  );
+
+  test(
+    'a surface from a file is saved with what else is in the file',
+    bench.withApp(async (app) => {
+      await app.dropFile((await app.stats()).handles.x2, 'quads.obj', QUADS);
+      await app.atRest('the surface is there', (stats) => stats.ready && stats.target.m === 6);
+      const { name, bytes } = await saved(app, 'OBJ', 'Unit box');
+      assert.equal(name, 'quads-mapped.obj');
+      const lines = bytes.toString().split('\n');
+      const kept = QUADS.split('\n').filter((line) => !line.startsWith('f '));
+      assert.deepEqual(lines.filter((line) => kept.includes(line)), kept);
+      assert.ok(lines.filter((line) => line.startsWith('vt ')).length >= 6);
     }),
   );
 });

@@ -41,24 +41,26 @@ function square() {
 }
 
 withOneBackend('files', (bench) => {
-  test(
-    'another shape of a drawing is picked from small pictures',
-    bench.withApp(async (app) => {
-      const { x1 } = (await app.stats()).handles;
-      await app.dropFile(x1, 'scene.svg', DRAWING);
-      await app.until('the outline is read', (stats) => stats.undo === 1);
-      await app.shot(`${bench.backend}-shapes-offered`);
-      await app.atRest('the largest shape is the outline', (stats) => stats.ready && stats.undo === 1);
-      assert.equal(await name(app), 'house');
-      await app.walkTo(/^Shapes, button/);
-      await app.press('Space');
-      await app.walkTo(/^tree, button, not selected/);
-      await app.shot(`${bench.backend}-shapes-of-a-drawing`);
-      await app.press('Space');
-      await app.atRest('the tree is the outline', (stats) => stats.ready && stats.undo === 2);
-      assert.equal(await name(app), 'tree');
-    }),
-  );
+  for (const device of ['desktop', 'phone']) {
+    test(
+      `another shape of a drawing is picked from small pictures on a ${device}`,
+      bench.withApp(async (app) => {
+        const { x1 } = (await app.stats()).handles;
+        await app.dropFile(x1, 'scene.svg', DRAWING);
+        await app.until('the outline is read', (stats) => stats.undo === 1);
+        await app.shot(`${bench.backend}-${device}-shapes-offered`);
+        await app.atRest('the largest shape is the outline', (stats) => stats.ready && stats.undo === 1);
+        assert.equal(await name(app), 'house');
+        await app.walkTo(device === 'phone' ? /^Source, button/ : /^Shapes, button/);
+        await app.press('Space');
+        await app.walkTo(/^tree, button, not selected/);
+        await app.shot(`${bench.backend}-${device}-shapes-of-a-drawing`);
+        await app.press('Space');
+        await app.atRest('the tree is the outline', (stats) => stats.ready && stats.undo === 2);
+        assert.equal(await name(app), 'tree');
+      }, device === 'phone' ? { device } : {}),
+    );
+  }
 
   test(
     'the features of a map are listed by name, as outlines and for a projection',

@@ -215,9 +215,9 @@ fn move_textures(value: &mut Value) {
     let Value::Object(fields) = value else { return };
     for (key, field) in fields {
         if key.ends_with("Texture") && field["index"].is_u64() {
-            field["texCoord"] = (field["texCoord"].as_u64().unwrap_or(0) + 1).into();
+            field["texCoord"] = (field["texCoord"].as_u64().unwrap_or(0).saturating_add(1)).into();
             if let Some(own) = field.pointer_mut("/extensions/KHR_texture_transform/texCoord") {
-                *own = (own.as_u64().unwrap_or(0) + 1).into();
+                *own = (own.as_u64().unwrap_or(0).saturating_add(1)).into();
             }
         } else {
             move_textures(field);

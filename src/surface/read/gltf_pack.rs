@@ -37,13 +37,15 @@ pub fn packed(document: &[u8], neighbor: &mut Neighbor) -> Option<PackedGltf> {
         _ => Vec::new(),
     };
     for view in &mut views {
+        // as it is read without one
+        view.as_object_mut()?.entry("buffer").or_insert(0.into());
         move_view(view, &places);
     }
     let limit = whole.bytes.len() + MOST_IMAGE_BYTES;
     for image in document.get_mut("images").and_then(Value::as_array_mut).into_iter().flatten() {
         let is_taken = |bytes: &[u8], total| total <= limit && mime_type(bytes).is_some();
         let Some(part) = whole.part(image, neighbor, &is_taken) else { continue };
-        let kind = mime_type(&whole.bytes[part.start..])?;
+        let Some(kind) = mime_type(&whole.bytes[part.start..]) else { continue };
         image.as_object_mut()?.remove("uri");
         image["mimeType"] = kind.into();
         image["bufferView"] = views.len().into();
@@ -185,6 +187,9 @@ mod tests {
         for offset in ["4", "36.5", "-4", "1e30"] {
             assert!(read(offset, both).is_err(), "{offset}");
         }
+        let nameless = document("0", &both.replace("a.bin", "cut.bin")).replace(r#""buffer":0,"#, "");
+        let whole = packed(nameless.as_bytes(), &mut corners).unwrap();
+        assert!(read_surface("a.gltf", &whole.bytes).is_err());
         let cut = both.replace("a.bin", "cut.bin");
         let unpacked = read_surface_beside("a.gltf", document("0", &cut).as_bytes(), &mut corners).unwrap_err();
         assert_eq!(read("0", &cut).unwrap_err(), unpacked);
