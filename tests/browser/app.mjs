@@ -320,10 +320,18 @@ export class App {
     await this.press('Space');
   }
 
-  /** The last announcement, once more than `spoken` controls have been announced. */
+  /**
+   * The last announcement, once more than `spoken` controls have been announced; nothing if none is: the focus was in an offer
+   * whose time was over, and the next key press goes on from there.
+   */
   async #saidAfter(spoken) {
     const said = (before) => window.riemap.stats().spoken > before && { text: document.getElementById('spoken').textContent };
-    return (await (await this.#page.waitForFunction(said, spoken)).jsonValue()).text;
+    try {
+      return (await (await this.#page.waitForFunction(said, spoken, { timeout: 15_000 })).jsonValue()).text;
+    } catch (error) {
+      if (error.name !== 'TimeoutError') throw error;
+      return '';
+    }
   }
 
   /** Waits until a live region of the page has a matching text other than `before`, and returns it. */
