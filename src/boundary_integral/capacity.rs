@@ -21,10 +21,9 @@ pub fn capacity(curve: &Curve) -> Result<Estimate, BoundaryIntegralError> {
     let coarse = Equilibrium::compute(curve, &Settings::default())?;
     let fine = Equilibrium::compute(curve, &finer)?;
     let open = moved(curve, (&fine.layout, &fine.system), &fine.charges);
-    let middle = fine.middle(curve).ok_or(BoundaryIntegralError::Singular)?;
+    let (middle, log_capacity) = fine.inside(curve)?;
     let beside = if has_splines(curve) { left_open_from(curve, middle, finer)? } else { 0.0 };
-    let logarithm = |equilibrium: &Equilibrium| equilibrium.log_capacity(curve);
-    Ok(both(logarithm(&coarse), logarithm(&fine), 1.0).wider(open + beside).exp())
+    Ok(both(coarse.inside(curve)?.1, log_capacity, 1.0).wider(open + beside).exp())
 }
 
 /// What splines leave open of harmonic measure from a point.
@@ -54,13 +53,8 @@ impl Equilibrium {
         Ok(Self { layout, system, charges })
     }
 
-    /// The potential inside, where it is constant.
-    fn log_capacity(&self, curve: &Curve) -> f64 {
-        self.middle(curve).map_or(f64::NAN, |x| self.system.logarithm(&self.charges, x))
-    }
-
-    /// The point inside that is farthest from all panels in lengths of the panels.
-    fn middle(&self, curve: &Curve) -> Option<DVec2> {
+    /// The point inside that is farthest from all panels in lengths of the panels, and the potential there: it is constant inside.
+    fn inside(&self, curve: &Curve) -> Result<(DVec2, f64), BoundaryIntegralError> {
         let lengths = self.system.panel_lengths();
         let places: Vec<DVec2> = self.system.places().collect();
         let middles = self.system.nodes().skip(NODES / 2).step_by(NODES).enumerate();
@@ -74,7 +68,8 @@ impl Equilibrium {
         };
         let candidates = middles.step_by(lengths.len().div_ceil(VIEWPOINTS)).flat_map(inward);
         let inside = candidates.filter(|&x| curve.contains(x)).map(|x| (clearance(x), x));
-        inside.max_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, x)| x)
+        let (_, x) = inside.max_by(|(a, _), (b, _)| a.total_cmp(b)).ok_or(BoundaryIntegralError::Singular)?;
+        Ok((x, self.system.logarithm(&self.charges, x)))
     }
 }
 
