@@ -6,6 +6,7 @@ import { join } from 'node:path';
 
 import { newPage } from './chromium.mjs';
 import { watch } from './faults.mjs';
+import { leaveScreenBlank } from './screen.mjs';
 
 /** The folder in which screenshots are saved for somebody to look at, or undefined. */
 const SHOTS = process.env.RIEMAP_SHOTS;
@@ -48,6 +49,7 @@ export class App {
     const page = await newPage(browser, options);
     const app = new App(page, backend);
     await page.addInitScript(makeFramesHoldable);
+    if (!SHOTS) await page.addInitScript(leaveScreenBlank);
     if (prepare) await page.addInitScript(prepare);
     await page.goto(address);
     return app;
@@ -71,6 +73,7 @@ export class App {
   async duplicate() {
     const page = await this.#page.context().newPage();
     await page.addInitScript(makeFramesHoldable);
+    if (!SHOTS) await page.addInitScript(leaveScreenBlank);
     await page.addInitScript((state) => {
       if (sessionStorage.getItem('duplicated')) return; // it is reloaded
       sessionStorage.setItem('duplicated', 'yes');
@@ -300,10 +303,12 @@ export class App {
   /** Presses Tab until a matching control is announced, as a user of a screen reader does. */
   async walkTo(control, furthest = 150) {
     const heard = [];
+    let { spoken } = await this.stats();
     for (let step = 0; step < furthest; step++) {
-      const { spoken } = await this.stats();
       await this.#page.keyboard.press(step === 0 ? 'F6' : 'Tab');
-      heard.push(await this.#saidAfter(spoken));
+      const said = await this.#saidAfter(spoken);
+      spoken = said.spoken;
+      heard.push(said.text);
       if (!control.test(heard.at(-1))) continue;
       // the announcement may belong to the previous key press; then the focus has already moved on
       await this.#frames();
@@ -321,16 +326,19 @@ export class App {
   }
 
   /**
-   * The last announcement, once more than `spoken` controls have been announced; nothing if none is: the focus was in an offer
-   * whose time was over, and the next key press goes on from there.
+   * The last announcement and the number of them, once more than `before` controls have been announced; an empty text if none is:
+   * the focus was in an offer whose time was over, and the next key press goes on from there.
    */
-  async #saidAfter(spoken) {
-    const said = (before) => window.riemap.stats().spoken > before && { text: document.getElementById('spoken').textContent };
+  async #saidAfter(before) {
+    const said = (known) => {
+      const { spoken } = window.riemap.stats();
+      return spoken > known && { text: document.getElementById('spoken').textContent, spoken };
+    };
     try {
-      return (await (await this.#page.waitForFunction(said, spoken, { timeout: 15_000 })).jsonValue()).text;
+      return await (await this.#page.waitForFunction(said, before, { timeout: 5_000 })).jsonValue();
     } catch (error) {
       if (error.name !== 'TimeoutError') throw error;
-      return '';
+      return { text: '', spoken: before };
     }
   }
 
@@ -424,21 +432,34 @@ export class App {
 
   /** Takes a screenshot and returns the counts of its colors. */
   async picture(name) {
-    const png = await this.#screenshot(name);
+    const png = await this.screenshot(inShots(name));
     return this.#page.evaluate(countColours, png.toString('base64'));
   }
 
   /** Takes a screenshot for somebody to look at, if there is a folder for it. */
   async shot(name) {
-    if (SHOTS) await this.#screenshot(name);
+    if (SHOTS) await this.screenshot(inShots(name));
   }
 
-  /** A screenshot, saved if there is a folder for it. */
-  async #screenshot(name) {
-    await this.#frames();
-    if (SHOTS) mkdirSync(SHOTS, { recursive: true });
-    return this.#page.screenshot(SHOTS ? { path: join(SHOTS, `${name}.png`) } : {});
+  /** What is on the screen, as PNG; `how`: Playwright's options. */
+  async screenshot(how) {
+    await this.#showScreen(true);
+    const png = await this.#page.screenshot(how);
+    await this.#showScreen(false);
+    return png;
   }
+
+  async #showScreen(shown) {
+    await this.#page.evaluate((asked) => window.showScreen?.(asked), shown);
+    await this.#frames();
+  }
+}
+
+/** Saves a screenshot for somebody to look at, if there is a folder for it. */
+function inShots(name) {
+  if (!SHOTS) return {};
+  mkdirSync(SHOTS, { recursive: true });
+  return { path: join(SHOTS, `${name}.png`) };
 }
 
 function between(from, to, steps) {

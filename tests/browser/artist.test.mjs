@@ -96,7 +96,7 @@ withOneBackend('the artist', (bench) => {
         const isThere = (stats, [left, top, as]) =>
           stats.ready && (Math.hypot(stats.handles.x1[0] - left, stats.handles.x1[1] - top) < 0.5) === as;
         await app.atRest('the view fits', isThere, [x, y, isFitted]);
-        return (await app.page.screenshot({ clip: { x: x - 150, y: y - 100, width: 300, height: 200 } })).toString('base64');
+        return (await app.screenshot({ clip: { x: x - 150, y: y - 100, width: 300, height: 200 } })).toString('base64');
       };
       await app.walkTo(/^UV grid, check box/);
       let without = await around(true);

@@ -8,7 +8,7 @@ import { withEachBackend } from './backends.mjs';
 
 /** How often light and dark squares alternate within 150 points left and right of `place`, a bit below it. */
 async function squaresAround(app, [x, y]) {
-  const png = await app.page.screenshot();
+  const png = await app.screenshot();
   const row = Array.from({ length: 151 }, (_, k) => [Math.round(x) - 150 + 2 * k, Math.round(y) + 37]);
   const light = (await app.pixelsOf(png, row)).map(([, green]) => green > 170);
   return light.filter((is, k) => k > 0 && is !== light[k - 1]).length;

@@ -52,7 +52,7 @@ withOneBackend('refused surfaces', (bench) => {
   /** The screen above the status line, which says how long a frame takes. */
   const seen = async (app) => {
     const { width, height } = app.page.viewportSize();
-    return (await app.page.screenshot({ clip: { x: 0, y: 0, width, height: height - STATUS } })).toString('base64');
+    return (await app.screenshot({ clip: { x: 0, y: 0, width, height: height - STATUS } })).toString('base64');
   };
 
   /** What `act` changes on the screen, which is at rest before and after. */

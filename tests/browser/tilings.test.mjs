@@ -23,7 +23,7 @@ async function choose(app, name) {
 /** The color of the source above x₁, in the middle tile. */
 async function aboveX1(app, { handles }) {
   const [x, y] = handles.x1;
-  return (await app.pixelsOf(await app.page.screenshot(), [[Math.round(x), Math.round(y) - 24]]))[0];
+  return (await app.pixelsOf(await app.screenshot(), [[Math.round(x), Math.round(y) - 24]]))[0];
 }
 
 /** Maps the disk to the disk, with x₁ and x₂ in the middle. */
