@@ -8,24 +8,36 @@ use crate::shell::{Failure, output_of, run, say};
 use crate::system::{ensure_chromium, ensure_lavapipe};
 use crate::web;
 use std::process::Command;
+use std::thread;
 
 /// The arguments for running the tests that read `../shared/data`, selected by the name of their modules (see
 /// `tests/support/data.rs`).
 const ON_SHARED_DATA: [&str; 4] = ["--tests", "--", "--ignored", "shared_data::"];
 
-/// Runs all tests, continues after failures, and prints a summary.
+/// Runs all tests, continues after failures, and prints a summary. The web app is built meanwhile: most of that is
+/// linking, which uses one core.
 pub fn everything(places: &Places) -> Result<(), Failure> {
     let mut report = Report::default();
-    report.step("cargo test", || run("cargo test", &mut cargo_test(places, &[])?));
-    // the tool is not part of the workspace's default features
-    report.step("wasm-bindgen's tests", || run("wasm-bindgen's tests", &mut wasm_bindgen_tests(places)));
-    on_shared_data(places, &mut report);
-    if report.step("the web app (release)", || web::dist(places)) {
+    let web_app = thread::scope(|scope| {
+        let web_app = scope.spawn(|| web::dist(places));
+        natively(places, &mut report);
+        report.step("the web app (release), in the end", || {
+            web_app.join().unwrap_or_else(|_| Err(Failure::new("building the web app", "it panicked")))
+        })
+    });
+    if web_app {
         report.step("the web app in Chromium", || browser(places));
     } else {
         report.not_run("the web app in Chromium", "there is no web app to test");
     }
     report.finish("test")
+}
+
+fn natively(places: &Places, report: &mut Report) {
+    report.step("cargo test", || run("cargo test", &mut cargo_test(places, &[])?));
+    // the tool is not part of the workspace's default features
+    report.step("wasm-bindgen's tests", || run("wasm-bindgen's tests", &mut wasm_bindgen_tests(places)));
+    on_shared_data(places, report);
 }
 
 /// Runs the tests that read `../shared/data`; without that folder, lists them in the report.
@@ -65,6 +77,8 @@ fn cargo_test(places: &Places, arguments: &[&str]) -> Result<Command, Failure> {
 fn wasm_bindgen_tests(places: &Places) -> Command {
     let mut command = Command::new("cargo");
     command.args(["test", "--package", "xtask", "--all-features", "--locked"]).current_dir(&places.root);
+    // they compute nothing, and the library is large
+    command.env("CARGO_PROFILE_DEV_OPT_LEVEL", "0");
     command
 }
 
