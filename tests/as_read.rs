@@ -280,6 +280,35 @@ fn a_new_vertex_of_a_ply_has_the_properties_of_what_it_divides() {
 }
 
 #[test]
+fn a_vertex_at_no_place_is_no_hindrance() {
+    let folder = folder("no-place");
+    let given = QUADS.replace("vn 0 0 1\n", "v nan nan nan\nvn 0 0 1\n");
+    let written = text(&folder, "nowhere.obj", &given, &["preset:disk"]);
+    assert_eq!((starting(&written, "usemtl").len(), starting(&written, "f ").len()), (2, 4), "{written}");
+}
+
+#[test]
+fn a_row_of_vertices_at_a_pole_stays_in_its_faces() {
+    let folder = folder("pole");
+    // a cap of one ring of 8 columns: the faces at the pole are quadrilaterals with two corners there
+    let place = |ring: u32, column: u32| {
+        let angle = f64::from(column % 8) / 8.0 * std::f64::consts::TAU;
+        let radius = f64::from(ring) / 2.0;
+        format!("v {:?} {:?} {:?}\n", radius * angle.cos(), radius * angle.sin(), -radius)
+    };
+    let vertices: String = (0..3).flat_map(|ring| (0..9).map(move |column| place(ring, column))).collect();
+    let face = |ring: u32, column: u32| {
+        let first = 1 + 9 * ring + column;
+        format!("f {} {} {} {}\n", first, first + 9, first + 10, first + 1)
+    };
+    let faces: String = (0..2).flat_map(|ring| (0..8).map(move |column| face(ring, column))).collect();
+    let written = text(&folder, "cap.obj", &(vertices + &faces), &["preset:disk"]);
+    let corners: Vec<usize> = starting(&written, "f ").iter().map(|line| line.split(' ').count() - 1).collect();
+    assert_eq!(corners, [4; 16], "{written}");
+    assert_eq!(starting(&written, "vt ").len(), 27);
+}
+
+#[test]
 fn bare_triangles_come_with_a_note() {
     let folder = folder("strips");
     let strips = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\

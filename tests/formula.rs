@@ -39,18 +39,16 @@ const lines = require('fs').readFileSync(0, 'utf8').trim().split('\\n');
 for (const line of lines) console.log(...formula[name](line.split(' ').map(Number)));
 ";
 
-/// The images of points under a function of a code file; `None` if its language is not installed.
-fn images(file: &Path, function: &str, points: &[Complex]) -> Option<Vec<Complex>> {
+/// The images of points under a function of a code file.
+fn images(file: &Path, function: &str, points: &[Complex]) -> Vec<Complex> {
     let (program, flag, code) = match file.extension().unwrap().to_str().unwrap() {
         "py" => ("python3", "-c", PYTHON),
         _ => ("node", "-e", NODE),
     };
     let mut command = Command::new(program);
     command.args([flag, code]).arg(file).arg(function).stdin(Stdio::piped()).stdout(Stdio::piped());
-    let Ok(mut child) = command.spawn() else {
-        println!("skipped {}: {program} is not installed", file.display());
-        return None;
-    };
+    let mut child =
+        command.spawn().unwrap_or_else(|error| panic!("{program} is needed (`cargo xtask test` installs it): {error}"));
     let lines: Vec<String> = points.iter().map(|z| format!("{:?} {:?}\n", z.re, z.im)).collect();
     child.stdin.take().unwrap().write_all(lines.concat().as_bytes()).unwrap();
     let output = child.wait_with_output().unwrap();
@@ -59,7 +57,7 @@ fn images(file: &Path, function: &str, points: &[Complex]) -> Option<Vec<Complex
     let point = |line: &str| line.split_once(' ').map(|(x, y)| Complex::new(number(x), number(y))).unwrap();
     let found: Vec<Complex> = String::from_utf8(output.stdout).unwrap().lines().map(point).collect();
     assert_eq!(found.len(), points.len());
-    Some(found)
+    found
 }
 
 struct Written {
@@ -91,7 +89,7 @@ impl Written {
         // the pairs themselves are right to about 1e-13
         let stated = self.number(part, "error") + 2e-13;
         for file in ["f.py", "f.js"] {
-            let Some(found) = images(&self.folder.join(file), function, points) else { continue };
+            let found = images(&self.folder.join(file), function, points);
             let off = found.iter().zip(exact).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
             let degree = self.number(part, "degree");
             println!("{file}, {function}: degree {degree}, off by {off:.1e}, stated {stated:.1e}");
@@ -300,7 +298,7 @@ fn a_name_is_not_read_as_the_encoding_of_a_file() {
     for name in ["decoding: test.svg", "coding:utf-7 +AAo-raise SystemExit(3)+AAo-#"] {
         let text = FormulaFile::new(PerSide::new(name, name), 4, &formula).text(FormulaFormat::Python);
         let path = support::program::file(&folder, "f.py", &text);
-        let Some(found) = images(Path::new(&path), "f", &[Complex::new(0.3, 0.2)]) else { continue };
+        let found = images(Path::new(&path), "f", &[Complex::new(0.3, 0.2)]);
         assert!(found[0].norm() < 1e-4, "{}", found[0]);
         assert!(text.contains(name) && !text.lines().take(2).any(|line| line.contains(name)), "{text}");
     }

@@ -167,3 +167,26 @@ fn arguments_that_do_not_fit_a_side_give_one_line() {
         fails(&[&["map"], &arguments[..]].concat(), status, &words);
     }
 }
+
+/// Each square of the sheet with vertices of its own, as programs split them: the file's rows stay.
+#[test]
+fn files_between_two_surfaces_keep_vertices_that_the_reader_merges() {
+    let folder = folder("split");
+    let corner = |k: usize, (i, j): (usize, usize)| {
+        let (x, y) = (k % 4 + i, k / 4 + j);
+        format!("v {x} {y} {}\n", ((x * x + 3 * y) % 7) as f64 / 9.0)
+    };
+    let square = |k: usize| [(0, 0), (1, 0), (1, 1), (0, 1)].map(|at| corner(k, at)).concat();
+    let vertices: String = (0..16).map(square).collect();
+    let face = |k: usize| format!("f {} {} {} {}\n", 4 * k + 1, 4 * k + 2, 4 * k + 3, 4 * k + 4);
+    let faces: Vec<String> = (0..16).map(face).collect();
+    let file = support::program::file(&folder, "split.obj", &(vertices.clone() + &faces.concat()));
+    let out = folder.join("map.obj").display().to_string();
+    let output = succeeds(&["map", "preset:hemisphere:60", &file, "--direction", "backward", "--out", &out]);
+    let text = std::fs::read_to_string(&out).unwrap();
+    let rows: Vec<&str> = text.lines().filter(|line| line.starts_with("v ")).collect();
+    assert_eq!(rows, vertices.lines().collect::<Vec<_>>());
+    assert!(text.contains("\nf 1/1 2/2 3/3\n") || text.contains("\nf 2/2 3/3 1/1\n"), "{text}");
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(said.contains("maps between two surfaces"), "{said}");
+}

@@ -154,7 +154,7 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
 
 /// The note about a file in the surface's own format that could not be written as it was read.
 pub(super) const BARE: &str = "bare triangles: what else the surface's file has is not kept (triangle strips, free-form surfaces, \
-                               buffers in other files, and meshes that are placed twice)";
+                               buffers in other files, meshes that are placed twice, and maps between two surfaces)";
 
 /// A surface mapped over an outline.
 struct Parameterized {

@@ -5,21 +5,23 @@
 //! | two outlines (OBJ only), two surfaces | on the target | on the source |
 //! | one surface | on the surface | in the plane |
 //!
-//! On surfaces, the vertices are those of the mapped one's file, all of them and in its order, as in [`Flattened`]; a vertex
-//! that a repair has dropped has no image and lies at that of the first vertex which has one. Between outlines they have the
-//! order of the mesh: boundary first. Triangles that fill a hole are omitted.
+//! On surfaces, the vertices are those of the mapped one's file, all of them and in its order; a vertex that a repair has
+//! dropped has no image and lies at that of the first vertex which has one. Between outlines they have the order of the mesh:
+//! boundary first. Triangles that fill a hole are omitted.
 //!
 //! Between surfaces, the coordinates on the source are `source_x`, `source_y`, `source_z` in PLY and the attribute `_SOURCE`
 //! in GLB, whose texture coordinates are planar.
 
+use super::as_read::Numbers;
 use super::{EncodedSurface, FileFormat, Flattened, SurfaceSource, flattened::number, glb};
 use crate::conformal::{ConformalMap, Direction, Places};
 use crate::geometry::DVec3;
 use crate::mesh::VertexId;
+use crate::surface::Surface;
 use std::fmt::Write as _;
 
 /// The mesh in a file format; `None` in one that has no place for its coordinates. `source` is the file of the mapped surface:
-/// over an outline it is written as it was read.
+/// over an outline it is written as it was read, and onto another surface with its vertices alone.
 pub fn mapped_mesh(
     map: &ConformalMap,
     format: FileFormat,
@@ -28,7 +30,7 @@ pub fn mapped_mesh(
     if map.mapped().is_surface() && !map.is_through_disk() {
         return Some(Flattened::new(map, false)?.encode_as_read(format, source));
     }
-    let mesh = MappedMesh::of(map);
+    let mesh = MappedMesh::of(map, source.map(|source| source.surface));
     let bytes = match format {
         FileFormat::Obj => mesh.obj().into_bytes(),
         FileFormat::Ply if map.is_through_disk() => mesh.ply().into_bytes(),
@@ -37,7 +39,7 @@ pub fn mapped_mesh(
         }
         _ => return None,
     };
-    Some(EncodedSurface { bytes, is_bare: false })
+    Some(EncodedSurface { bytes, is_bare: source.is_some_and(|source| SurfaceSource::is_kept(source.format, format)) })
 }
 
 /// A mesh with positions on the target and coordinates on the source, both in the plane or both in space.
@@ -49,21 +51,32 @@ struct MappedMesh {
 }
 
 impl MappedMesh {
-    fn of(map: &ConformalMap) -> Self {
+    /// `read` is the mapped surface as it was read.
+    fn of(map: &ConformalMap, read: Option<&Surface>) -> Self {
         let surface = map.mapped().surface().map(|meshed| meshed.surface());
         let own = in_space(map.mapped().vertices());
         let images = in_space(map.image_places());
         let triangles = map.given(map.mapped().triangles()).copied();
         let (own, images, triangles) = match surface {
             Some(disk) => (
-                disk.origin_positions().collect(),
+                disk.origin_positions().map(Some).collect(),
                 (0..disk.origin_count() as u32)
                     .map(|origin| images.get(disk.number_of(VertexId::new(origin))?.index()).copied())
                     .collect(),
                 triangles.map(|t| t.map(|v| number(disk, v))).collect(),
             ),
-            None => (own, images.into_iter().map(Some).collect(), triangles.collect()),
+            None => (some(own), some(images), triangles.collect()),
         };
+        // the reader may have merged vertices of the file
+        let (own, images, triangles) = match read.map(Numbers::new) {
+            Some(numbers) => {
+                let triangles: Vec<[u32; 3]> = triangles;
+                let renumbered = triangles.into_iter().map(|t| t.map(|v| numbers.of(v))).collect();
+                (numbers.spread(&own), numbers.spread(&images), renumbered)
+            }
+            None => (own, images, triangles),
+        };
+        let own = completed(own);
         let images = completed(images);
         let (positions, coordinates) = match map.direction() {
             Direction::Forward => (images, own),
@@ -110,6 +123,10 @@ impl MappedMesh {
         }
         text
     }
+}
+
+fn some<T>(all: Vec<T>) -> Vec<Option<T>> {
+    all.into_iter().map(Some).collect()
 }
 
 /// The images, those of dropped vertices at the first one.

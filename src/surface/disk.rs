@@ -2,7 +2,7 @@
 
 use super::diagnosis::disk_connectivity;
 use super::edges::NO_TWIN;
-use super::repair::{ADDED, RepairNote, Repaired, drop_unreferenced, repair};
+use super::repair::{ADDED, RepairNote, Repaired, drop_repeating, drop_unreferenced, repair};
 use super::survey::{check_indices, is_sound};
 use super::{Surface, TopologyError};
 use crate::geometry::DVec3;
@@ -28,10 +28,14 @@ pub struct SurfaceMesh {
 
 impl SurfaceMesh {
     /// The surface with its triangles unchanged; an error with all faults if it is not a disk. Vertices in no triangle are
-    /// dropped with a note, wherever they are. Cost O(n log d).
+    /// dropped with a note, wherever they are, and so are triangles whose corners were merged when the surface was read.
+    /// Cost O(n log d).
     pub fn new(surface: &Surface) -> Result<Self, TopologyError> {
         check_indices(surface)?;
         let mut used = Repaired::untouched(surface.clone());
+        if surface.merged.is_some() {
+            drop_repeating(&mut used);
+        }
         drop_unreferenced(&mut used);
         Self::ordered(used, &surface.vertices).map_err(|fault| surface.in_file(fault))
     }

@@ -11,7 +11,7 @@ use std::collections::{HashMap, HashSet};
 
 /// Merges corners of a triangle that lie at one place.
 pub(super) fn merge_coincident(repaired: &mut Repaired) {
-    let surface = &mut repaired.surface;
+    let surface = &repaired.surface;
     let mut into: Vec<u32> = (0..surface.vertices.len() as u32).collect();
     for &[a, b, c] in &surface.triangles {
         for [u, v] in [[a, b], [b, c], [c, a]] {
@@ -21,9 +21,28 @@ pub(super) fn merge_coincident(repaired: &mut Repaired) {
             }
         }
     }
+    merge(repaired, into);
+}
+
+/// Merges vertices of triangles that lie at one place.
+pub(super) fn merge_places(repaired: &mut Repaired) {
+    let surface = &repaired.surface;
+    let mut into: Vec<u32> = (0..surface.vertices.len() as u32).collect();
+    let mut first = HashMap::new();
+    for &v in surface.triangles.as_flattened() {
+        let place = surface.vertices[v as usize] + DVec3::ZERO; // −0 and 0 are the same
+        into[v as usize] = *first.entry(place.to_array().map(f64::to_bits)).or_insert(v);
+    }
+    merge(repaired, into);
+}
+
+/// Merges each vertex into another one, or into itself.
+fn merge(repaired: &mut Repaired, mut into: Vec<u32>) {
     let count = (0..).zip(&into).filter(|(v, into)| v != *into).count();
     if count > 0 {
-        surface.triangles.as_flattened_mut().iter_mut().for_each(|v| *v = root(&mut into, *v));
+        for v in repaired.surface.triangles.as_flattened_mut() {
+            *v = root(&mut into, *v);
+        }
         repaired.notes.push(RepairNote::MergedVertices { count });
     }
 }
@@ -242,7 +261,7 @@ fn join(repaired: &mut Repaired, hole: &[u32], edges: &mut HashMap<[u32; 2], u32
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::surface::SurfaceMesh;
+    use crate::surface::{SurfaceMesh, TopologyError};
 
     /// Squares with their lower left corners at these points of a lattice, each cut from lower left to upper right.
     fn squares(at: &[(u32, u32)]) -> Surface {
@@ -299,6 +318,38 @@ mod tests {
         let (mesh, notes) = self::notes(&surface);
         assert_eq!(notes, [RepairNote::SplitVertices { count: 1 }]);
         assert_eq!(mesh.mesh().boundary_count(), 12);
+    }
+
+    #[test]
+    fn parts_that_meet_in_a_line_with_other_vertices_are_joined() {
+        // a column of two squares beside one of four half as high, whose corners are their own
+        let mut surface = squares(&[(0, 0), (0, 1)]);
+        let first = surface.vertices.len() as u32;
+        surface.vertices.extend((0..10).map(|k| DVec3::new(f64::from(1 + k % 2), f64::from(k / 2) / 2.0, 0.0)));
+        let half = |k: u32| {
+            let [a, b, c, d] = [0, 1, 3, 2].map(|corner| first + 2 * k + corner);
+            [[a, b, c], [a, c, d]]
+        };
+        surface.triangles.extend((0..4).flat_map(half));
+        let (mesh, notes) = notes(&surface);
+        assert_eq!(notes, [RepairNote::MergedVertices { count: 3 }, RepairNote::Joined { count: 2 }]);
+        let mesh = mesh.mesh();
+        assert_eq!((mesh.triangles().len(), mesh.vertices().len(), mesh.boundary_count()), (14, 13, 10));
+        // a part in another place stays one
+        surface.vertices.iter_mut().skip(first as usize).for_each(|place| place.x += 0.1);
+        let (_, notes) = self::notes(&surface);
+        assert_eq!(notes, [RepairNote::KeptLargest { components: 2, dropped: 4 }]);
+    }
+
+    #[test]
+    fn a_vertex_at_no_place_in_a_small_part_does_not_matter() {
+        let mut junk = squares(&[(0, 0), (1, 0), (0, 1), (1, 1)]);
+        junk.vertices.push(DVec3::NAN);
+        junk.triangles.push([54, 55, 64]);
+        let (_, notes) = notes(&junk);
+        assert_eq!(notes, [RepairNote::KeptLargest { components: 2, dropped: 1 }]);
+        junk.vertices[9] = DVec3::NAN;
+        assert!(matches!(SurfaceMesh::repaired(&junk), Err(TopologyError::NotFinite { .. })));
     }
 
     #[test]

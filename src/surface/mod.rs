@@ -59,9 +59,9 @@ pub(crate) use read::{
     container, decoded, distinct, vertex_color,
 };
 pub use repair::RepairNote;
-#[cfg(feature = "io")]
-pub(crate) use survey::is_sound;
 pub use survey::{MAX_COORDINATE, MIN_EXTENT};
+#[cfg(feature = "io")]
+pub(crate) use survey::{is_sound, repeats};
 #[cfg(feature = "io")]
 pub(crate) use topology_error::Bracketed;
 pub use topology_error::{LISTED, LoopReport, TopologyError};

@@ -1,8 +1,8 @@
 //! Repairs that are safe, in a fixed order, each reported in a [`RepairNote`].
 //!
 //! Corners of a triangle at one place are merged; triangles that name a vertex twice are dropped, and those with the corners
-//! of an earlier one; the component with the most triangles is kept, so that faults of others do not matter; the rest is
-//! oriented consistently, as most of its triangles are; flat triangles have their longest edge flipped; gaps without area that
+//! of an earlier one; parts are joined along lines on which their vertices differ; the component with the most triangles is kept,
+//! so that faults of others do not matter; the rest is oriented consistently, as most of its triangles are; flat triangles have their longest edge flipped; gaps without area that
 //! reach the boundary are joined; vertices that join fans of triangles are split; vertices in no triangle are dropped; all
 //! boundary loops but one, unless asked otherwise the longest, are filled, or joined if they have no area. Faults whose repair
 //! would need a guess (edges of three triangles) stay errors.
@@ -10,9 +10,9 @@
 use super::duplicates::duplicates;
 use super::edges::EdgeTable;
 use super::fill::fill_holes;
-use super::mend::{flip_flat, join_flat, join_open, merge_coincident, split_pinched};
+use super::mend::{flip_flat, join_flat, join_open, merge_coincident, merge_places, split_pinched};
 use super::orient::turned;
-use super::survey::{check_edges, check_values, components, connectivity, largest, repeats, report};
+use super::survey::{check_edges, check_indices, check_places, components, connectivity, largest, repeats, report};
 use super::{LoopReport, Surface, TopologyError};
 use crate::counted::counted;
 use crate::geometry::DVec3;
@@ -178,7 +178,7 @@ impl Repaired {
 /// surface's numbers, if a fault needs another. The result may still not be a disk (closed, with handles, with flat triangles):
 /// [`super::SurfaceMesh::repaired`] reports that. Cost O(n log d).
 pub(super) fn repair(surface: Surface, outline: usize) -> Result<Repaired, TopologyError> {
-    check_values(&surface)?;
+    check_indices(&surface)?;
     let mut repaired = Repaired::untouched(surface);
     match mend(&mut repaired, outline) {
         Ok(()) => Ok(repaired),
@@ -189,13 +189,12 @@ pub(super) fn repair(surface: Surface, outline: usize) -> Result<Repaired, Topol
 /// All repairs in order. Errors have the numbers of the surface as it is repaired so far.
 fn mend(repaired: &mut Repaired, outline: usize) -> Result<(), TopologyError> {
     merge_coincident(repaired);
-    let count = repaired.retain(|_, corners| !repeats(corners));
-    if count > 0 {
-        repaired.notes.push(RepairNote::DroppedTriangles { count });
-    }
+    drop_repeating(repaired);
     drop_duplicates(repaired);
+    join_parts(repaired);
     keep_largest(repaired);
     orient(repaired)?;
+    check_places(&repaired.surface)?;
     flip_flat(repaired);
     join_open(repaired);
     split_pinched(repaired);
@@ -210,6 +209,14 @@ fn mend(repaired: &mut Repaired, outline: usize) -> Result<(), TopologyError> {
     }
     join_flat(repaired, &mut loops);
     fill_holes(repaired, &loops)
+}
+
+/// Drops triangles that name a vertex twice.
+pub(super) fn drop_repeating(repaired: &mut Repaired) {
+    let count = repaired.retain(|_, corners| !repeats(corners));
+    if count > 0 {
+        repaired.notes.push(RepairNote::DroppedTriangles { count });
+    }
 }
 
 pub(super) fn edges_of(surface: &Surface) -> EdgeTable {
@@ -250,6 +257,24 @@ pub(super) fn orient(repaired: &mut Repaired) -> Result<(), TopologyError> {
         repaired.notes.push(RepairNote::Oriented { count });
     }
     Ok(())
+}
+
+/// Joins parts that meet in a line on which they do not have the same vertices, if that leaves fewer parts. Where the parts
+/// cannot be oriented, they stay.
+fn join_parts(repaired: &mut Repaired) {
+    let parts = |surface: &Surface| components(&edges_of(surface), surface.triangles.len()).1.len();
+    let before = parts(&repaired.surface);
+    if before < 2 {
+        return;
+    }
+    let mut joined = repaired.clone();
+    merge_places(&mut joined);
+    if orient(&mut joined).is_ok() {
+        join_open(&mut joined);
+        if parts(&joined.surface) < before {
+            *repaired = joined;
+        }
+    }
 }
 
 /// Keeps the component with the most triangles, the first of equally large ones.

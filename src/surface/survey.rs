@@ -85,7 +85,7 @@ pub(super) fn check_places(surface: &Surface) -> Result<(), TopologyError> {
 }
 
 /// Whether a triangle names a vertex twice.
-pub(super) fn repeats(&[a, b, c]: &[u32; 3]) -> bool {
+pub(crate) fn repeats(&[a, b, c]: &[u32; 3]) -> bool {
     a == b || b == c || c == a
 }
 

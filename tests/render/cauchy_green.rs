@@ -10,15 +10,8 @@ use riemap::render::{CauchyGreenPass, Pattern, ViewportRenderer, sample_count};
 use std::f64::consts::TAU;
 use std::sync::mpsc;
 
-/// The pass, or `None` (with a message) if there are no compute shaders.
-fn pass(gpu: &Gpu) -> Option<CauchyGreenPass> {
-    let pass = CauchyGreenPass::new(&gpu.0);
-    if pass.is_none() {
-        let in_ci = std::env::var("CI").is_ok_and(|ci| ci == "true");
-        assert!(!in_ci, "in CI an adapter with compute shaders is needed, which {} is not", gpu.2.name);
-        eprintln!("SKIPPED: {} has no compute shaders", gpu.2.name);
-    }
-    pass
+fn pass(gpu: &Gpu) -> CauchyGreenPass {
+    CauchyGreenPass::new(&gpu.0).unwrap_or_else(|| panic!("compute shaders are needed, which {} has not", gpu.2.name))
 }
 
 /// The images of `points` on the GPU, for several sets of values.
@@ -110,8 +103,8 @@ fn contours() -> Vec<(&'static str, Vec<DVec2>)> {
 
 #[test]
 fn constants_are_exact_and_the_identity_holds_to_rounding() {
-    let Some(gpu) = gpu() else { return };
-    let Some(pass) = pass(gpu) else { return };
+    let gpu = gpu();
+    let pass = pass(gpu);
     let constant = DVec2::new(0.1, -1e5);
     for (name, contour) in contours() {
         let points = points_of(&contour);
@@ -135,8 +128,8 @@ fn largest(a: &[DVec2], b: &[DVec2]) -> (f64, usize) {
 
 #[test]
 fn smooth_and_rough_values_have_the_f64_extension() {
-    let Some(gpu) = gpu() else { return };
-    let Some(pass) = pass(gpu) else { return };
+    let gpu = gpu();
+    let pass = pass(gpu);
     for (name, contour) in contours() {
         let points = points_of(&contour);
         let values = [smooth(contour.len(), 1), smooth(contour.len(), 2), rough(contour.len())];
@@ -162,8 +155,8 @@ fn smooth_and_rough_values_have_the_f64_extension() {
 
 #[test]
 fn the_mesh_is_drawn_from_the_images_without_reading_them_back() {
-    let Some(gpu) = gpu() else { return };
-    let Some(pass) = pass(gpu) else { return };
+    let gpu = gpu();
+    let pass = pass(gpu);
     let (device, queue, _) = gpu;
     let format = wgpu::TextureFormat::Rgba8Unorm;
     // linear values on a polygon are their own extension; a rotation by 90° is holomorphic
@@ -209,8 +202,8 @@ fn the_mesh_is_drawn_from_the_images_without_reading_them_back() {
 #[test]
 #[ignore = "a measurement: prints the time on this machine's adapter"]
 fn a_hundred_thousand_points_and_a_thousand_samples() {
-    let Some(gpu) = gpu() else { return };
-    let Some(pass) = pass(gpu) else { return };
+    let gpu = gpu();
+    let pass = pass(gpu);
     let (device, queue, info) = gpu;
     let contour = contour_of(Preset::Gingerbread, 1000);
     let mut points = mesh_domain(&contour, Sizing::Graded(0.05)).unwrap().0.vertices().to_vec();

@@ -36,7 +36,7 @@ fn picture(gpu: &Gpu, renderer: &mut ViewportRenderer) -> RgbaImage {
 
 #[test]
 fn every_triangle_has_the_colour_of_its_value() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     for map in [ColourMap::Cividis, ColourMap::Diverging] {
         for values in [[0.0, 1.0], [0.25, 0.5], [0.9, 0.1]] {
             let image = picture(gpu, &mut renderer(gpu, values.map(CellCode::at), shown(Some(map))));
@@ -51,7 +51,7 @@ fn every_triangle_has_the_colour_of_its_value() {
 
 #[test]
 fn colours_do_not_depend_on_which_corner_comes_first() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (device, queue, _) = gpu;
     let codes = [CellCode::at(0.2), CellCode::at(0.8)];
     let mut renderer = renderer(gpu, codes, shown(Some(ColourMap::Cividis)));
@@ -66,7 +66,7 @@ fn colours_do_not_depend_on_which_corner_comes_first() {
 
 #[test]
 fn flipped_triangles_are_marked_over_the_texture_too() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let codes = [CellCode::FLIPPED, CellCode::at(0.0)];
     for map in [None, Some(ColourMap::Cividis), Some(ColourMap::Diverging)] {
         let style = CellStyle { marks: true, ..shown(map) };
@@ -79,7 +79,7 @@ fn flipped_triangles_are_marked_over_the_texture_too() {
 
 #[test]
 fn edges_have_their_width_and_their_colour() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let black = StrokeStyle { colour: [0.0, 0.0, 0.0, 1.0], width_px: 3.0 };
     let style = CellStyle { wire: Some(black), ..shown(Some(ColourMap::Diverging)) };
     let image = picture(gpu, &mut renderer(gpu, [CellCode::at(0.5); 2], style));
@@ -95,7 +95,7 @@ fn edges_have_their_width_and_their_colour() {
 
 #[test]
 fn edges_of_cells_of_a_few_pixels_fade_away() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (device, queue, _) = gpu;
     let black = StrokeStyle { colour: [0.0, 0.0, 0.0, 1.0], width_px: 1.0 };
     let style = CellStyle { wire: Some(black), ..shown(Some(ColourMap::Diverging)) };
@@ -127,7 +127,7 @@ fn lattice(rows: u32) -> (Vec<DVec2>, Vec<[u32; 3]>) {
 
 #[test]
 fn moved_cells_move_their_colours() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let codes = [CellCode::at(1.0); 2];
     let mut renderer = renderer(gpu, codes, shown(Some(ColourMap::Cividis)));
     assert!(renderer.set_cell_positions(&gpu.1, 0, &SQUARE.map(|p| 0.5 * p + DVec2::new(1.25, 1.25))));
@@ -138,7 +138,7 @@ fn moved_cells_move_their_colours() {
 
 #[test]
 fn cells_that_do_not_fit_are_refused() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (device, queue, _) = gpu;
     let mut renderer = renderer(gpu, [CellCode::at(0.3); 2], shown(Some(ColourMap::Cividis)));
     assert!(!renderer.set_cells(device, queue, 0, &SQUARE, &[[0, 1, 4]]));

@@ -24,7 +24,7 @@ fn renderer(gpu: &Gpu, format: wgpu::TextureFormat, colour: [u8; 4]) -> Viewport
 
 #[test]
 fn colours_are_the_same_in_targets_that_encode_and_that_do_not() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let colour = [200, 107, 57, 255];
     for format in [wgpu::TextureFormat::Rgba8Unorm, wgpu::TextureFormat::Rgba8UnormSrgb] {
         let image = frame(gpu, &mut renderer(gpu, format, colour), format);
@@ -35,7 +35,7 @@ fn colours_are_the_same_in_targets_that_encode_and_that_do_not() {
 
 #[test]
 fn moved_vertices_move_the_picture() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (format, colour) = (wgpu::TextureFormat::Rgba8Unorm, [10, 180, 90, 255]);
     let mut renderer = renderer(gpu, format, colour);
     assert_pixel(&frame(gpu, &mut renderer, format), [32, 32], colour, 1, "before");
@@ -47,7 +47,7 @@ fn moved_vertices_move_the_picture() {
 
 #[test]
 fn moved_texture_coordinates_move_the_texture() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (device, queue, _) = gpu;
     let format = wgpu::TextureFormat::Rgba8Unorm;
     let (left, right) = ([250, 20, 20, 255], [20, 20, 250, 255]);
@@ -64,7 +64,7 @@ fn moved_texture_coordinates_move_the_texture() {
 
 #[test]
 fn data_that_does_not_fit_is_refused_and_changes_nothing() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (device, queue, _) = gpu;
     let (format, colour) = (wgpu::TextureFormat::Rgba8Unorm, [10, 180, 90, 255]);
     let mut renderer = renderer(gpu, format, colour);
@@ -80,7 +80,7 @@ fn data_that_does_not_fit_is_refused_and_changes_nothing() {
 
 #[test]
 fn an_image_beyond_the_largest_texture_is_scaled_down() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (device, queue, _) = gpu;
     let format = wgpu::TextureFormat::Rgba8Unorm;
     let mut renderer = renderer(gpu, format, [0, 0, 0, 255]);
@@ -100,7 +100,7 @@ fn recorded(gpu: &Gpu, renderer: &mut ViewportRenderer, frame: &PlanarFrame, pac
 
 #[test]
 fn an_unchanged_picture_is_not_recorded_and_every_change_is() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (device, queue, _) = gpu;
     let mut renderer = renderer(gpu, wgpu::TextureFormat::Rgba8Unorm, [10, 180, 90, 255]);
     let mut codes = vec![CellCode::FLIPPED; 2];
@@ -142,7 +142,7 @@ fn an_unchanged_picture_is_not_recorded_and_every_change_is() {
 
 #[test]
 fn a_coarse_picture_shows_the_same_and_becomes_full_at_rest() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (format, colour) = (wgpu::TextureFormat::Rgba8Unorm, [10, 180, 90, 255]);
     let mut renderer = renderer(gpu, format, colour);
     assert!(renderer.set_boundary(&gpu.0, &gpu.1, 0, &SQUARE));

@@ -11,7 +11,7 @@ use std::f64::consts::FRAC_PI_2;
 
 #[test]
 fn checker_has_its_exact_colours_inside_and_the_background_outside() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     // four cells of 20 pixels; the square covers the pixels 10..90
     let style = style(Pattern::Checker, 4.0);
     let image = render(gpu, &[square(style)], None, [100, 100]);
@@ -29,7 +29,7 @@ fn checker_has_its_exact_colours_inside_and_the_background_outside() {
 
 #[test]
 fn cells_below_a_pixel_fade_to_their_mean_without_moire() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let style = style(Pattern::Checker, 300.0);
     let image = render(gpu, &[square(style)], None, [100, 100]);
     for y in 12..88 {
@@ -53,7 +53,7 @@ fn lined(hue: [f32; 4], share: f64) -> [u8; 4] {
 /// 24 rays, and circles at the radii e^{−2πk/24}, of which every fourth is strong; 320 pixels per unit.
 #[test]
 fn the_conformal_grid_has_its_circles_where_green_s_function_has_its_steps() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let mut viewport = square(style(Pattern::Conformal, 8.0));
     viewport.camera = Some(Camera { center: DVec2::ZERO, units_per_pixel: 1.0 / 320.0 });
     let image = render(gpu, &[viewport.clone()], None, [640, 640]);
@@ -88,7 +88,7 @@ fn the_conformal_grid_has_its_circles_where_green_s_function_has_its_steps() {
 /// In a crowded part all vertices have the coordinates of the same boundary point.
 #[test]
 fn where_a_domain_crowds_the_conformal_grid_has_the_boundary_s_colour() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     for angle in [0.0, 0.1, 2.0] {
         let mut viewport = square(style(Pattern::Conformal, 8.0));
         let coordinates = [0.0, 1e-15, -1e-12, 3e-9].map(|shift| DVec2::from_angle(angle + shift));
@@ -100,7 +100,7 @@ fn where_a_domain_crowds_the_conformal_grid_has_the_boundary_s_colour() {
 
 #[test]
 fn a_flat_colour_arrives_as_asked() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     for level in 0..=16_u8 {
         let colour = image::Rgba([level * 15, 255 - level * 15, 128 ^ level, 255]);
         let flat = RgbaImage::from_pixel(4, 4, colour);
@@ -111,7 +111,7 @@ fn a_flat_colour_arrives_as_asked() {
 
 #[test]
 fn a_placed_image_lies_on_paper_where_it_is_put() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (left, right) = ([200, 60, 50, 255], [40, 90, 220, 255]);
     let halves = RgbaImage::from_fn(8, 4, |x, _| image::Rgba(if x < 4 { left } else { right }));
     // 1 wide and 0.5 high, upright after a quarter turn, with its middle at (0.5, 0)
@@ -136,7 +136,7 @@ fn a_placed_image_lies_on_paper_where_it_is_put() {
 
 #[test]
 fn a_transparent_background_stays_transparent() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let asked = [0.8, 0.4, 0.2, 0.5];
     let pictures = [square(style(Pattern::Checker, 4.0)).into()];
     let scene = SceneDescription { pictures: &pictures, background: asked, image: None, margin_px: 0.0 };
@@ -148,7 +148,7 @@ fn a_transparent_background_stays_transparent() {
 
 #[test]
 fn half_covered_pixels_on_a_transparent_ground_have_straight_colours() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let flat = image::Rgba([200, 100, 50, 255]);
     let mut viewport = square(style(Pattern::Image, 1.0));
     // moved by half a pixel: the edges pass through the middles of the pixels 10 and 90
@@ -173,7 +173,7 @@ fn half_covered_pixels_on_a_transparent_ground_have_straight_colours() {
 
 #[test]
 fn a_row_that_is_not_aligned_for_copies_comes_back_straight() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let viewports = [square(style(Pattern::Checker, 1.0)), square(style(Pattern::Checker, 1.0))];
     let image = render(gpu, &viewports, None, [201, 97]);
     assert_eq!(image.dimensions(), (201, 97));
@@ -205,7 +205,7 @@ fn stroke_width(gpu: &Gpu, units_per_pixel: f64, points: &[DVec2], width_px: f32
 
 #[test]
 fn the_stroke_keeps_its_width_under_zoom_and_with_any_number_of_points() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let fine: Vec<DVec2> =
         (0..4).flat_map(|k| (0..500).map(move |i| SQUARE[k].lerp(SQUARE[(k + 1) % 4], f64::from(i) / 500.0))).collect();
     for width in [0.6, 1.0, 1.75, 3.5, 5.0] {
@@ -222,7 +222,7 @@ fn the_stroke_keeps_its_width_under_zoom_and_with_any_number_of_points() {
 
 #[test]
 fn precision_survives_a_far_origin_and_a_deep_zoom() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let shift = DVec2::new(4.0e6, -7.0e6);
     let positions = SQUARE.map(|p| p + shift);
     let mut viewport = square(style(Pattern::Checker, 4.0));
@@ -241,7 +241,7 @@ fn precision_survives_a_far_origin_and_a_deep_zoom() {
 
 #[test]
 fn a_handle_is_a_coloured_disc_in_a_white_ring() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let handles = [Handle { position: DVec2::new(0.5, 0.5), colour: GREEN, radius_px: 9.0 }];
     let mut viewport = square(style(Pattern::Checker, 4.0));
     viewport.handles = &handles;
@@ -252,7 +252,7 @@ fn a_handle_is_a_coloured_disc_in_a_white_ring() {
 
 #[test]
 fn impossible_scenes_are_refused_with_the_reason() {
-    let Some((device, queue, _)) = gpu() else { return };
+    let (device, queue, _) = gpu();
     let scene = |pictures| SceneDescription { pictures, background: BACKGROUND, image: None, margin_px: 0.0 };
     let good = [square(style(Pattern::Checker, 4.0)).into()];
     assert!(matches!(render_scene_with(device, queue, &scene(&good), [0, 10]), Err(RenderError::Size { .. })));

@@ -43,7 +43,7 @@ fn largest_difference(a: &RgbaImage, b: &RgbaImage) -> u8 {
 
 #[test]
 fn at_the_scale_of_the_whole_domain_the_pattern_is_the_plain_one() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     for pattern in [Pattern::Checker, Pattern::Grid, Pattern::Polar] {
         // a quarter of an octave either way, too
         for factor in [0.84, 1.0, 1.18] {
@@ -56,7 +56,7 @@ fn at_the_scale_of_the_whole_domain_the_pattern_is_the_plain_one() {
 
 #[test]
 fn cells_are_as_large_on_the_screen_at_every_scale() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     // 8.5 cells of a tenth of the square in a row
     let expected = changes(&shown(gpu, style(Pattern::Checker, CELLS), 1.0, 0.5 * ORDINARY)) * 2;
     assert!((8..=12).contains(&expected), "{expected}");
@@ -73,7 +73,7 @@ fn cells_are_as_large_on_the_screen_at_every_scale() {
 
 #[test]
 fn cells_of_a_compressed_part_are_joined() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     // a sixteenth of the size: 12 pixels, plain cells of 1.1
     let small = shown(gpu, octaves(Pattern::Checker), 1.0 / 16.0, ORDINARY);
     let (light, dark) = (0..SIZE)
@@ -86,7 +86,7 @@ fn cells_of_a_compressed_part_are_joined() {
 
 #[test]
 fn half_way_between_two_octaves_the_picture_is_the_mean_of_both() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let half = std::f64::consts::FRAC_1_SQRT_2 * ORDINARY;
     let between = shown(gpu, octaves(Pattern::Checker), 1.0, half);
     let both = [CELLS, 2.0 * CELLS].map(|cells| shown(gpu, style(Pattern::Checker, cells), 1.0, half));
@@ -109,7 +109,7 @@ fn line_width(image: &RgbaImage) -> f64 {
 
 #[test]
 fn lines_of_the_grid_keep_their_width_at_every_scale() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let width = |scale: f64| {
         let center = DVec2::new(0.0, 0.05) * scale;
         line_width(&shown_around(gpu, octaves(Pattern::Grid), center, 1.0, scale * ORDINARY))
@@ -150,7 +150,7 @@ fn in_space(gpu: &Gpu, style: TextureStyle, distance: f64, tilt: f64) -> RgbaIma
 
 #[test]
 fn on_a_surface_cells_keep_their_size_however_near_the_eye_is() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let at = |distance: f64| changes(&in_space(gpu, octaves(Pattern::Checker), distance, 0.0));
     let expected = at(3.2);
     assert!((6..=16).contains(&expected), "{expected}");
@@ -161,7 +161,7 @@ fn on_a_surface_cells_keep_their_size_however_near_the_eye_is() {
 
 #[test]
 fn a_surface_that_turns_away_keeps_its_octave() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     // 60°: cells are half as wide and as high as before
     let [before, turned] = [0.0, 1.047].map(|tilt| in_space(gpu, octaves(Pattern::Checker), 4.8, tilt));
     let column = |image: &RgbaImage| changes(&image::imageops::rotate90(image));

@@ -92,7 +92,7 @@ fn one_before_the_other() -> Squares {
 
 #[test]
 fn the_nearer_face_hides_the_farther_in_either_order_and_flat_colours_are_as_asked() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let image = columns(&[ORANGE, BLUE]);
     let mut squares = one_before_the_other();
     for _ in 0..2 {
@@ -108,7 +108,7 @@ fn the_nearer_face_hides_the_farther_in_either_order_and_flat_colours_are_as_ask
 
 #[test]
 fn a_surface_of_any_size_is_drawn_as_one_of_the_usual_size() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let image = columns(&[ORANGE, BLUE]);
     let usual = one_before_the_other();
     let handle =
@@ -137,7 +137,7 @@ fn a_surface_of_any_size_is_drawn_as_one_of_the_usual_size() {
 
 #[test]
 fn back_faces_have_three_fifths_of_the_light() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let image = columns(&[ORANGE]);
     let mut square = Squares::new(&[(-DVec2::ONE, DVec2::ONE, 0.0)]);
     square.triangles.iter_mut().for_each(|t| t.swap(0, 1));
@@ -151,7 +151,7 @@ fn back_faces_have_three_fifths_of_the_light() {
 
 #[test]
 fn the_loop_is_drawn_where_nothing_is_before_it() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     // the right side of the small square covers the middle of the large one's right side
     let squares = Squares::new(&[(-DVec2::ONE, DVec2::ONE, -0.5), (DVec2::new(0.2, -0.4), DVec2::new(0.9, 0.4), 0.5)]);
     let shown = picture(gpu, &squares.scene(), Some(&columns(&[ORANGE, BLUE])));
@@ -164,7 +164,7 @@ fn the_loop_is_drawn_where_nothing_is_before_it() {
 
 #[test]
 fn edges_behind_a_face_are_hidden() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let mut squares = Squares::new(&[
         (-DVec2::ONE, DVec2::new(0.1, 1.0), -0.5),
         (DVec2::new(0.1, -1.0), DVec2::ONE, -0.5),
@@ -183,7 +183,7 @@ fn edges_behind_a_face_are_hidden() {
 
 #[test]
 fn triangles_that_face_the_eye_have_the_colours_of_their_values() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let square = Squares::new(&[(-DVec2::ONE, DVec2::ONE, 0.0)]);
     for map in [ColourMap::Cividis, ColourMap::Diverging] {
         let codes = [CellCode::at(0.3), CellCode::at(0.9)];
@@ -199,7 +199,7 @@ fn triangles_that_face_the_eye_have_the_colours_of_their_values() {
 
 #[test]
 fn handles_are_seen_where_their_points_are_and_are_fainter_behind_the_surface() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let square = Squares::new(&[(-DVec2::ONE, DVec2::ONE, 0.0)]);
     let at = |position: [f64; 3], hidden| SurfaceHandle {
         position: DVec3::from_array(position),
@@ -247,7 +247,7 @@ fn hemisphere_scene<'a>(mesh: &'a SurfaceMesh, images: &'a [DVec2], towards_eye:
 
 #[test]
 fn a_hemisphere_carries_the_pattern_of_its_stereographic_image() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (mesh, images) = hemisphere();
     let towards_eye = DVec3::new(0.3, -0.8, 0.9).normalize();
     let scene = hemisphere_scene(&mesh, &images, towards_eye);
@@ -273,7 +273,7 @@ fn a_hemisphere_carries_the_pattern_of_its_stereographic_image() {
 
 #[test]
 fn through_the_open_side_of_a_hemisphere_its_inside_is_seen_darker() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (mesh, images) = hemisphere();
     let image = columns(&[ORANGE]);
     let red = |towards_eye: DVec3| {
@@ -309,7 +309,7 @@ fn recorded(gpu: &Gpu, renderer: &mut ViewportRenderer, frame: &SpaceFrame, pace
 
 #[test]
 fn an_unchanged_surface_is_not_recorded_and_every_change_is() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (device, queue, _) = gpu;
     let mut renderer = ViewportRenderer::new(device, queue, wgpu::TextureFormat::Rgba8Unorm, 1, 1);
     let squares = Squares::new(&[(-DVec2::ONE, DVec2::ONE, 0.0)]);
@@ -340,7 +340,7 @@ fn an_unchanged_surface_is_not_recorded_and_every_change_is() {
 
 #[test]
 fn a_surface_looks_the_same_whether_its_drawing_was_rehearsed_or_not() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (device, queue, _) = gpu;
     let (mesh, images) = hemisphere();
     let scene = hemisphere_scene(&mesh, &images, DVec3::new(0.3, -0.8, 0.9).normalize());
@@ -367,7 +367,7 @@ fn a_surface_looks_the_same_whether_its_drawing_was_rehearsed_or_not() {
 
 #[test]
 fn two_surfaces_and_a_plane_side_by_side_are_as_each_alone() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (mesh, images) = hemisphere();
     let eyes = [DVec3::new(0.3, -0.8, 0.9), DVec3::new(-0.6, 0.2, 0.7)].map(DVec3::normalize);
     let codes = vec![CellCode::at(0.4); mesh.mesh().triangles().len()];

@@ -65,7 +65,7 @@ fn agree(gpu: &Gpu, style: TextureStyle, color: impl Fn(DVec2, &Folded) -> [f32;
 
 #[test]
 fn the_shader_folds_as_the_core_does() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     for (p, q) in [(4, 6), (7, 3), (3, 8), (5, 4)] {
         let tiles = tiling_style(p, q, TilingStyle::Tiles);
         let colored = Tiling::new(p, q).unwrap().is_two_colorable();
@@ -85,7 +85,7 @@ fn the_shader_folds_as_the_core_does() {
 
 #[test]
 fn edges_are_drawn_where_tiles_meet() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let style = tiling_style(7, 3, TilingStyle::Edges);
     let image = drawn(gpu, style, 160, None);
     let tiling = Tiling::new(7, 3).unwrap();
@@ -105,7 +105,7 @@ fn edges_are_drawn_where_tiles_meet() {
 /// Beyond the circle, next to it, and where triangles of the mesh are larger than tiles, there is one calm color.
 #[test]
 fn what_is_not_resolved_is_not_drawn() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let spread = |image: &RgbaImage, range: std::ops::Range<f64>| {
         let inside = image.enumerate_pixels().filter(|(x, y, _)| range.contains(&place(*x, *y).length()));
         let greens: Vec<u8> = inside.map(|(.., pixel)| pixel.0[1]).collect();
@@ -124,7 +124,7 @@ fn what_is_not_resolved_is_not_drawn() {
 /// The lower half of the picture is towards the disk's center in all tiles but the central one, where it is below.
 #[test]
 fn a_picture_stands_upright_on_its_side_towards_the_center() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (upper, lower) = ([220, 60, 40, 255], [40, 90, 220, 255]);
     let card = RgbaImage::from_fn(64, 64, |_, y| image::Rgba(if y < 32 { upper } else { lower }));
     let image = drawn(gpu, tiling_style(7, 3, TilingStyle::Picture), 160, Some(&card));

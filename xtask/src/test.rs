@@ -5,7 +5,7 @@ use crate::node::ensure_test_packages;
 use crate::places::Places;
 use crate::report::Report;
 use crate::shell::{Failure, output_of, run, say};
-use crate::system::{ensure_chromium, ensure_lavapipe};
+use crate::system::{ensure_chromium, ensure_lavapipe, ensure_program};
 use crate::web;
 use std::process::Command;
 use std::thread;
@@ -62,6 +62,7 @@ fn listed(output: &str) -> Vec<String> {
 }
 
 fn cargo_test(places: &Places, arguments: &[&str]) -> Result<Command, Failure> {
+    ensure_program("python3", "python3")?; // runs the formulas that are written as code
     let mut command = Command::new("cargo");
     command.args(["test", "--workspace", "--locked", "--no-fail-fast"]).args(arguments).current_dir(&places.root);
     if cfg!(target_os = "linux") {

@@ -233,9 +233,7 @@ fn neutral(pixels: &[[u8; 4]]) -> f64 {
 
 #[test]
 fn the_colors_of_triangles_are_on_the_mapped_surface_and_beside_one_in_the_plane() {
-    if !has_adapter() {
-        return;
-    }
+    need_adapter();
     let surfaces = [(Side::Source, SurfacePreset::AnimalHead), (Side::Target, SurfacePreset::HalfTorus)];
     let [forward, backward] = [Direction::Forward, Direction::Backward];
     let cases = [
@@ -268,9 +266,7 @@ fn the_colors_of_triangles_are_on_the_mapped_surface_and_beside_one_in_the_plane
 
 #[test]
 fn the_picture_of_the_other_surface_stays_while_one_is_refined() {
-    if !has_adapter() {
-        return;
-    }
+    need_adapter();
     let mut harness =
         drawn_app_with(&[(Side::Source, SurfacePreset::Hemisphere), (Side::Target, SurfacePreset::Saddle)]);
     let before = middles(&mut harness);

@@ -125,9 +125,7 @@ mod tests {
 
     #[test]
     fn the_gpu_evaluates_the_images_that_the_map_refines_to() {
-        if !crate::app::tests::has_adapter() {
-            return;
-        }
+        crate::app::tests::need_adapter();
         let state = create_render_state(default_wgpu_setup(), egui_wgpu::RendererOptions::PREDICTABLE);
         let mut renderer = ViewportRenderer::new(&state.device, &state.queue, state.target_format, 2, 1);
         let mut extension = GpuExtension::new(&state).unwrap();

@@ -3,7 +3,7 @@
 use super::Numbers;
 use crate::export::Flattened;
 use crate::geometry::{DVec2, DVec3};
-use crate::surface::{Surface, distinct};
+use crate::surface::{Surface, distinct, repeats};
 use std::collections::BTreeMap;
 
 /// What is written in the place of a face. Vertices have their numbers in the file, counted from 0.
@@ -95,7 +95,8 @@ impl<'a> Faces<'a> {
     /// The face of these triangles, if none of them was changed.
     fn whole(&self, corners: &[u32], triangles: std::ops::Range<usize>) -> Option<Written> {
         let (mut vertices, mut turned) = (BTreeMap::new(), None);
-        for t in triangles {
+        // the others have no area: corners of the face were merged
+        for t in triangles.filter(|&t| !repeats(&self.surface.triangles()[t])) {
             let same = self.same(t)?;
             if *turned.get_or_insert(same.is_turned) != same.is_turned {
                 return None;

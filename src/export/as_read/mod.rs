@@ -14,9 +14,9 @@ mod obj;
 mod ply;
 
 use super::{FileFormat, Flattened};
-use crate::surface::{Surface, SurfaceFormat, packed};
+use crate::surface::{Surface, SurfaceFormat, is_sound, packed};
 use faces::Faces;
-use numbers::Numbers;
+pub(super) use numbers::Numbers;
 
 /// A surface's file, and the surface as it was read from it.
 #[derive(Debug, Clone, Copy)]
@@ -47,7 +47,7 @@ pub struct EncodedSurface {
     /// The file.
     pub bytes: Vec<u8>,
     /// Whether the surface's own file has the same format, but cannot be written as it was read: triangle strips, free-form
-    /// surfaces, a GLB's buffers in other files, meshes that are placed twice.
+    /// surfaces, a GLB's buffers in other files, meshes that are placed twice, and maps onto another surface.
     pub is_bare: bool,
 }
 
@@ -64,8 +64,10 @@ impl Flattened {
 
     /// The file with texture coordinates, in its own format; `None` if what it has besides triangles cannot be kept.
     fn as_read(&self, source: SurfaceSource<'_>) -> Option<Vec<u8>> {
-        // a file that is not the surface's
-        if self.vertices().get(..source.surface.vertices().len()) != Some(source.surface.vertices()) {
+        let given = source.surface.vertices();
+        let own = self.vertices().get(..given.len())?;
+        // a file that is not the surface's; a place that is no number is written as another one
+        if own.iter().zip(given).any(|(own, given)| own != given && is_sound(*given)) {
             return None;
         }
         match source.format {

@@ -4,18 +4,17 @@
 //! of the first vertex of the file that became it, and all of these have its coordinates.
 
 use crate::export::Flattened;
-use crate::geometry::DVec2;
 use crate::surface::Surface;
 
 /// The numbers of vertices.
-pub(super) struct Numbers<'a> {
+pub(in crate::export) struct Numbers<'a> {
     surface: &'a Surface,
     /// For each vertex of the surface the first one of the file that became it.
     first: Vec<u32>,
 }
 
 impl<'a> Numbers<'a> {
-    pub(super) fn new(surface: &'a Surface) -> Self {
+    pub(in crate::export) fn new(surface: &'a Surface) -> Self {
         let mut first = vec![u32::MAX; surface.vertices().len()];
         for number in (0..surface.count_in_file() as u32).rev() {
             if let Some(vertex) = surface.vertex_in_file(number) {
@@ -26,7 +25,7 @@ impl<'a> Numbers<'a> {
     }
 
     /// The number of a flattened vertex; those that are not of the surface follow the file's.
-    pub(super) fn of(&self, vertex: u32) -> u32 {
+    pub(in crate::export) fn of(&self, vertex: u32) -> u32 {
         let added = |beyond: u32| self.surface.count_in_file() as u32 + beyond;
         self.first.get(vertex as usize).copied().unwrap_or_else(|| added(vertex - self.first.len() as u32))
     }
@@ -36,9 +35,9 @@ impl<'a> Numbers<'a> {
         vertex as usize >= self.first.len()
     }
 
-    /// The coordinates of all vertices of the file, then those of the added ones; `None` for vertices that were left out.
-    /// `own` are those of the flattened vertices.
-    pub(super) fn spread(&self, own: &[Option<DVec2>]) -> Vec<Option<DVec2>> {
+    /// What belongs to the vertices of the file, then to the added ones; `None` for vertices that were left out. `own` is what
+    /// belongs to the flattened vertices.
+    pub(in crate::export) fn spread<T: Copy>(&self, own: &[Option<T>]) -> Vec<Option<T>> {
         let in_file = (0..self.surface.count_in_file() as u32).map(|number| self.surface.vertex_in_file(number));
         let in_file = in_file.map(|vertex| own.get(vertex? as usize).copied().flatten());
         in_file.chain(own.iter().skip(self.first.len()).copied()).collect()

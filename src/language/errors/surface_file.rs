@@ -108,6 +108,7 @@ impl From<&Unsupported> for Message {
         match what {
             Unsupported::Version(version) => key::unsupported_version(*version),
             Unsupported::Extension(name) => key::unsupported_extension(name),
+            Unsupported::Morphing => key::unsupported_morphing().into(),
             Unsupported::SeparateFile(name) => key::unsupported_separate_file(name),
             Unsupported::Encoding => key::unsupported_encoding().into(),
             Unsupported::Dimensions(keyword) => key::unsupported_dimensions(keyword),

@@ -28,7 +28,7 @@ keys_of_labels! {
     item_face_count, item_list_length, item_property, item_list, item_vertex_coordinate, item_face_property,
     item_face_corner, item_element_count, item_property_element, item_format_line, item_header_end,
     item_property_name, item_triangle_count, item_triangle_normal, item_triangle_end,
-    unsupported_encoding, fault_no_glb, fault_node_twice, fault_no_ply,
+    unsupported_encoding, unsupported_morphing, fault_no_glb, fault_node_twice, fault_no_ply,
     fault_list_length_type,
     // conformal
     pins_turned, map_on_boundary, map_loop_anchor_not_finite, walk_no_boundary, integral_of_surface, stays_no_curve, equation_travels_apart, integral_no_curve, integral_apart,

@@ -161,8 +161,8 @@ fn projected_crs(value: &Value) -> Option<String> {
     let coded = properties.and_then(|properties| properties.get("code")).map(|code| format!("EPSG:{code}"));
     let name = properties.and_then(|properties| text(properties, "name")).map(str::to_owned).or(coded);
     let Some(name) = name else { return Some(crs.to_string().chars().take(60).collect()) };
-    let code = name.rsplit([':', '/']).next().unwrap_or(&name).trim_matches('"').to_ascii_uppercase();
-    if code.starts_with("CRS") || GEOGRAPHIC.contains(&code.as_str()) {
+    let code = name.rsplit([':', '/', '#']).next().unwrap_or(&name).trim_matches('"').to_ascii_uppercase();
+    if code.starts_with("CRS") || code.replace(' ', "") == "WGS84" || GEOGRAPHIC.contains(&code.as_str()) {
         return None;
     }
     Some(if name.to_ascii_uppercase().contains("EPSG") { format!("EPSG:{code}") } else { name })
@@ -200,12 +200,29 @@ fn collect<'a>(value: &'a Value, found: &mut Collected<'a>) -> Result<(), Outlin
     }
 }
 
-/// The properties that name a feature, the most usual ones first.
-const NAMES: [&str; 6] = ["name", "NAME", "Name", "ADMIN", "admin", "NAME_EN"];
+/// The properties that name a feature, in any case, the most usual ones first.
+const NAMES: [&str; 12] = [
+    "name",
+    "admin",
+    "name_en",
+    "name_long",
+    "gen",
+    "name_2",
+    "name_1",
+    "nom",
+    "title",
+    "label",
+    "state_name",
+    "sovereignt",
+];
 
 fn name(feature: &Value) -> Option<&str> {
-    let properties = feature.get("properties");
-    NAMES.iter().find_map(|key| properties.and_then(|properties| text(properties, key))).or_else(|| text(feature, "id"))
+    let properties = feature.get("properties").and_then(Value::as_object);
+    let called = |name: &&str| {
+        let all = properties.into_iter().flatten();
+        all.filter(|(key, _)| key.eq_ignore_ascii_case(name)).find_map(|(_, value)| value.as_str())
+    };
+    NAMES.iter().find_map(called).or_else(|| text(feature, "id"))
 }
 
 fn geometries(value: &Value, found: &mut Collected) -> Result<(), OutlineError> {

@@ -149,6 +149,8 @@ fn text(bytes: &[u8]) -> Result<Cow<'_, str>, OutlineError> {
         }
         (None, Err(error)) => return Err(OutlineError::NotUtf8 { offset: error.valid_up_to() }),
     };
+    // lines as on old Macs
+    let text = if text.contains('\r') && !text.contains('\n') { Cow::Owned(text.replace('\r', "\n")) } else { text };
     if text.trim().is_empty() { Err(OutlineError::Empty) } else { Ok(text) }
 }
 

@@ -38,8 +38,8 @@ pub(super) fn read(text: &str, wanted: Option<PartChoice>) -> Result<Ring, Outli
         ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = Options { image_href_resolver, ..Options::default() };
     let tree = Tree::from_xmltree(&document, &options).map_err(|e| failed(e.to_string()))?;
-    let page = Page::of(&document);
-    let shapes = svg_shapes::shapes(&tree, page.as_ref());
+    let page = Page::of(&document, &tree);
+    let shapes = svg_shapes::shapes(&tree, &page);
     let names: Vec<Option<&str>> = shapes.iter().map(Shape::name).collect();
     let called = |wanted| match wanted {
         PartChoice::Called(called) => svg_shapes::largest(&shapes, |shape| shape.name() == Some(called)),
@@ -52,8 +52,8 @@ pub(super) fn read(text: &str, wanted: Option<PartChoice>) -> Result<Ring, Outli
             paths => OutlineError::NoClosedPath { paths },
         })?,
     };
-    let ring = ring(&document, &shapes[index], page.as_ref(), shapes[index].notes(index + 1, shapes.len()));
-    Ok(Ring { parts: svg_shapes::parts(&shapes, index, page.as_ref()), ..ring })
+    let ring = ring(&document, &shapes[index], &page, shapes[index].notes(index + 1, shapes.len()));
+    Ok(Ring { parts: svg_shapes::parts(&shapes, index, &page), ..ring })
 }
 
 /// Reads the content of a path's `d` attribute. It holds no quotes or brackets.
@@ -84,7 +84,7 @@ fn without_size(document: &Document) -> Option<String> {
 }
 
 /// The outline around a shape, with the document's numbers where they are found.
-fn ring(document: &Document, shape: &Shape, page: Option<&Page>, notes: Vec<OutlineNote>) -> Ring {
+fn ring(document: &Document, shape: &Shape, page: &Page, notes: Vec<OutlineNote>) -> Ring {
     let (rounded, path) = (Subpath::of(shape.path.data()), shape.path);
     let placement = svg_shapes::placement(path, page);
     let (subpaths, placement) = svg_exact::subpaths(document, path.data(), placement)

@@ -85,7 +85,8 @@ impl Subpath {
         self.closed_explicitly || self.end() == self.start
     }
 
-    /// The closed chain of segments with positive length, transformed, y upwards.
+    /// The closed chain of segments, transformed, y upwards; without those of no length, and lines that only rounding has made
+    /// between two arcs.
     pub fn placed(&self, placement: DAffine2) -> Vec<Segment> {
         // SVG's y points down
         let upwards = |p: DVec2| DVec2::new(p.x, -p.y);
@@ -98,7 +99,9 @@ impl Subpath {
                 Segment::Arc { center: place(center), axes: axes.map(turn), from, to }
             }
         };
-        self.closed_chain().iter().map(placed).filter(has_length).map(straightened).collect()
+        let chain = self.closed_chain();
+        let shortest = SAME_END * chain.iter().fold(0.0, |size: f64, s| size.max(s.end().abs().max_element()));
+        chain.iter().filter(|segment| has_length(segment, shortest)).map(placed).map(straightened).collect()
     }
 
     /// The segments and the line back to the start. If that is no longer than rounding, the last segment ends there
@@ -133,9 +136,9 @@ fn with_last(subpaths: &mut [Subpath], change: impl FnOnce(&mut Subpath)) {
     }
 }
 
-fn has_length(segment: &Segment) -> bool {
+fn has_length(segment: &Segment, shortest: f64) -> bool {
     match segment {
-        Segment::Line([a, b]) => a != b,
+        Segment::Line([a, b]) => a.distance(*b) > shortest,
         Segment::Cubic([a, b, c, d]) => a != b || a != c || a != d,
         Segment::Arc { from, to, .. } => from != to,
     }

@@ -54,14 +54,13 @@ pub(super) struct Page {
 }
 
 impl Page {
-    /// From the `viewBox`, or else from width and height in pixels; `None` if a drawing has neither.
-    pub fn of(document: &Document) -> Option<Self> {
+    /// From the `viewBox`, or else the size in pixels.
+    pub fn of(document: &Document, tree: &Tree) -> Self {
         if let Some(view) = view_box(document) {
-            return Some(Self { low: DVec2::new(view.x, view.y), size: DVec2::new(view.w, view.h) });
+            return Self { low: DVec2::new(view.x, view.y), size: DVec2::new(view.w, view.h) };
         }
-        let root = document.root_element();
-        let pixels = |name| root.attribute(name)?.trim().trim_end_matches("px").parse().ok();
-        Some(Self { low: DVec2::ZERO, size: DVec2::new(pixels("width")?, pixels("height")?) })
+        let size = tree.size();
+        Self { low: DVec2::ZERO, size: DVec2::new(size.width().into(), size.height().into()) }
     }
 }
 
@@ -71,7 +70,7 @@ pub(super) fn view_box(document: &Document) -> Option<ViewBox> {
 }
 
 /// The shapes of a drawing, in its order, without a background; at most as many as it has subpaths.
-pub(super) fn shapes<'a>(tree: &'a Tree, page: Option<&Page>) -> Vec<Shape<'a>> {
+pub(super) fn shapes<'a>(tree: &'a Tree, page: &Page) -> Vec<Shape<'a>> {
     let all = paths(tree.root());
     let shown = |wanted: bool| all.iter().filter(move |(_, is_painted)| *is_painted == wanted);
     let of = |wanted| shown(wanted).flat_map(|&(path, _)| shapes_of(path, page)).collect();
@@ -94,7 +93,7 @@ pub(super) fn largest(shapes: &[Shape], is_meant: impl Fn(&Shape) -> bool) -> Op
 }
 
 /// All shapes with their pictures, of which that of index `taken` is read.
-pub(super) fn parts(shapes: &[Shape], taken: usize, page: Option<&Page>) -> Option<Parts> {
+pub(super) fn parts(shapes: &[Shape], taken: usize, page: &Page) -> Option<Parts> {
     let areas: Vec<f64> = shapes.iter().map(|shape| shape.area).collect();
     // the shapes of one path stand together
     let mut last: Option<(&Path, Vec<Vec<DVec2>>)> = None;
@@ -108,7 +107,7 @@ pub(super) fn parts(shapes: &[Shape], taken: usize, page: Option<&Page>) -> Opti
     })
 }
 
-fn chains_of(path: &Path, page: Option<&Page>) -> Vec<Vec<DVec2>> {
+fn chains_of(path: &Path, page: &Page) -> Vec<Vec<DVec2>> {
     let placement = placement(path, page);
     Subpath::of(path.data()).iter().map(|subpath| flattened(&subpath.placed(placement))).collect()
 }
@@ -141,7 +140,7 @@ fn is_painted(path: &Path) -> bool {
     path.is_visible() && opacities.into_iter().flatten().any(|opacity| opacity.get() > 0.0)
 }
 
-fn shapes_of<'a>(path: &'a Path, page: Option<&Page>) -> Vec<Shape<'a>> {
+fn shapes_of<'a>(path: &'a Path, page: &Page) -> Vec<Shape<'a>> {
     let subpaths = Subpath::of(path.data());
     let placement = placement(path, page);
     let chains: Vec<Vec<DVec2>> = subpaths.iter().map(|subpath| flattened(&subpath.placed(placement))).collect();
@@ -155,17 +154,17 @@ fn shapes_of<'a>(path: &'a Path, page: Option<&Page>) -> Vec<Shape<'a>> {
         closed.map(|subpath| Region { subpath, area: width * scale * perimeter(&chains[subpath]), holes: 0 }).collect()
     };
     let shape = |Region { subpath, area, holes }| {
-        let is_background = page.is_some_and(|page| covers(&chains[subpath], page));
+        let is_background = covers(&chains[subpath], page);
         Shape { path, subpath, area, holes, is_background }
     };
     parts.into_iter().map(shape).collect()
 }
 
 /// Where a path lies in user space: `usvg` moves the page's upper left corner to the origin.
-pub(super) fn placement(path: &Path, page: Option<&Page>) -> DAffine2 {
+pub(super) fn placement(path: &Path, page: &Page) -> DAffine2 {
     let t = path.abs_transform();
     let placed = DAffine2::from_cols_array(&[t.sx, t.ky, t.kx, t.sy, t.tx, t.ty].map(f64::from));
-    DAffine2::from_translation(page.map_or(DVec2::ZERO, |page| page.low)) * placed
+    DAffine2::from_translation(page.low) * placed
 }
 
 struct Region {

@@ -118,3 +118,34 @@ fn a_curve_with_a_retracted_handle_has_the_direction_of_the_other_one() {
         assert!(length > 9.4 && length < 9.7, "{length}");
     }
 }
+
+/// Drawing programs make circles and pills of rectangles, between whose arcs rounding leaves lines of 1e-15.
+#[test]
+fn a_rectangle_with_corners_as_round_as_it_is_high_is_a_circle_or_a_pill() {
+    for w in [2.0, 10.7, 18.0, 60.0_f64] {
+        for (x, y) in [(3.0, 3.0), (3.3, 1.7)] {
+            let circle = format!("<rect x='{x}' y='{y}' width='{w}' height='{w}' rx='{}'/>", 0.5 * w);
+            let (_, curve) = read(&circle);
+            let pieces = curve.curve().pieces();
+            assert!(pieces.iter().all(is_arc) && curve.corner_count() == 0, "{circle}: {pieces:?}");
+            let (_, curve) =
+                read(&format!("<rect x='{x}' y='{y}' width='{}' height='{w}' rx='{}'/>", 2.0 * w, 0.5 * w));
+            let lines = curve.curve().pieces().iter().filter(|piece| !is_arc(piece)).count();
+            assert_eq!((lines, curve.corner_count()), (2, 0), "{w} at ({x}, {y})");
+        }
+    }
+    // a radius beyond the half is the half
+    let (_, curve) = read("<rect x='2.3' y='6.1' width='20' height='12.7' rx='50'/>");
+    assert_eq!(curve.corner_count(), 0);
+}
+
+#[test]
+fn a_page_has_its_size_in_any_unit() {
+    for size in ["width='75pt' height='75pt'", "width='100' height='100'", ""] {
+        let background = "<rect width='100%' height='100%' fill='#eee'/>";
+        let text = format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' {size}>{background}<rect x='20' y='30' width='40' height='40'/></svg>"
+        );
+        assert_eq!(parse("a.svg", text.as_bytes()).unwrap().polygon().area(), 1600.0, "{size}");
+    }
+}

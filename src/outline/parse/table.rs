@@ -51,6 +51,12 @@ fn table(text: &str) -> Result<Table, OutlineError> {
     if let Some(k) = (0..rows.len()).find(|&k| numbers[k].len() != width || (width > 2 && rows[k].is_mixed)) {
         return Err(OutlineError::NumbersOnLine { line: rows[k].line, count: numbers[k].len() });
     }
+    let names_two = |row: &Row| row.fields.len() <= 2;
+    let mut digits = None;
+    if width == 4 && rows.iter().all(|row| row.halves(&mut digits)) && titles.last().is_none_or(names_two) {
+        // decimal commas between commas
+        return Err(OutlineError::NumbersOnLine { line: rows[0].line, count: width });
+    }
     let columns = Columns::of(&numbers, titles.last());
     let mut parts: Vec<Vec<DVec2>> = Vec::new();
     for (row, numbers) in rows.iter().zip(&numbers) {

@@ -396,6 +396,40 @@ fn nesting_within_the_limits_does_not_exhaust_a_small_stack() {
 }
 
 #[test]
+fn tables_of_spreadsheets_and_old_programs_are_read() {
+    for text in [
+        ",0,1\n0,0,0\n1,9,0\n2,0,9\n", // pandas' names of columns beside its index
+        "x;y\n0;0\n9;0\n0;9\n;\n;\n",  // empty rows
+        "x,y\r0,0\r9,0\r0,9\r",        // lines as on old Macs
+        "0,0\n,\n9,0\n0,9\n",
+    ] {
+        assert_eq!(parse("x.csv", text.as_bytes()).unwrap().polygon().area(), 40.5, "{text:?}");
+    }
+    let utf16: Vec<u8> = "0,0\n9,0\n0,9\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    assert_eq!(parse("x.csv", &utf16).unwrap().polygon().area(), 40.5);
+}
+
+/// Decimal commas between commas, and thousands with points: what could be read otherwise is refused.
+#[test]
+fn numbers_that_may_be_others_are_refused() {
+    for text in [
+        "x,y\n0,50,0,50\n4,25,0,60\n4,75,3,50\n0,80,3,10\n",
+        "0,50,0,50\n4,25,0,60\n4,75,3,50\n0,80,3,10\n",
+        "x;y\n1.000,10;0,5\n4.000,20;0,6\n4.000,75;3000,5\n1.000,80;3000,1\n",
+        "x;y\n1,0;0,5\n4,2;0,6\n1.004,75;3000,5\n1,8;3000,1\n",
+    ] {
+        let refused = parse("x.csv", text.as_bytes()).map(|outline| outline.polygon().vertices().to_vec());
+        assert!(
+            matches!(refused, Err(OutlineError::NumbersOnLine { .. } | OutlineError::NotANumber { .. })),
+            "{refused:?}"
+        );
+    }
+    // four columns with names are four columns
+    let named = "x,y,a,b\n0,10,0,50\n4,10,0,60\n4,75,3,50\n0,80,3,10\n";
+    assert_eq!(parse("x.csv", named.as_bytes()).unwrap().polygon().vertices().len(), 4);
+}
+
+#[test]
 fn loops_spikes_and_knots_are_cut_off_when_asked() {
     let mended = |text: &str| parse_as("x.csv", text.as_bytes(), &Reading { repair: true, part: None });
     let repaired = |text: &str| mended(text).unwrap();

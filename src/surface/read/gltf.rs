@@ -1,8 +1,8 @@
 //! glTF 2.0: the triangles of the default scene, in the scene's coordinates.
 //!
 //! Buffers are embedded (base 64), in the GLB file, or neighboring files, for which the caller is asked. Positions may be
-//! quantized (`KHR_mesh_quantization`) and accessors sparse. Compressed meshes are not supported; morph targets and skins
-//! are ignored.
+//! quantized (`KHR_mesh_quantization`) and accessors sparse. Compressed meshes are not supported, nor are morph targets that
+//! have a weight; skins, and morph targets without, are ignored.
 
 use super::faces::Faces;
 use super::gltf_buffers::Buffers;
@@ -28,6 +28,12 @@ pub(super) struct Document {
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
+struct Asset {
+    version: String,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
 struct Scene {
     nodes: Vec<usize>,
 }
@@ -41,12 +47,14 @@ pub(super) struct Node {
     translation: Option<[f64; 3]>,
     rotation: Option<[f64; 4]>,
     scale: Option<[f64; 3]>,
+    weights: Option<Vec<f64>>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Mesh {
     pub primitives: Vec<Primitive>,
+    weights: Vec<f64>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -112,13 +120,29 @@ pub(super) struct Buffer {
 /// Extensions that change where positions or indices are stored, so that they cannot be ignored.
 const COMPRESSIONS: [&str; 3] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
 
+/// Refuses versions before 2, whose documents are built otherwise.
+fn check_version(text: &str) -> Result<(), SurfaceError> {
+    #[derive(Default, Deserialize)]
+    #[serde(default)]
+    struct Head {
+        asset: Asset,
+    }
+    let version = serde_json::from_str(text).map(|Head { asset }| asset.version).unwrap_or_default();
+    match version.split('.').next().unwrap_or_default().parse() {
+        Ok(major @ ..2) => Err(SurfaceError::unsupported(part("asset"), Unsupported::Version(major))),
+        _ => Ok(()),
+    }
+}
+
 /// Reads a document; `binary` is the buffer of a GLB file, and `neighbor` gives the bytes of a file beside it.
 pub(super) fn read(bytes: &[u8], binary: Option<&[u8]>, neighbor: &mut Neighbor) -> Result<Surface, SurfaceError> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let line = bytes[..error.valid_up_to()].split(|&byte| byte == b'\n').count();
         SurfaceError::malformed(Place::Line(line), Fault::NotGltf(error.to_string()))
     })?;
-    let document: Document = serde_json::from_str(text.strip_prefix('\u{feff}').unwrap_or(text))
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    check_version(text)?;
+    let document: Document = serde_json::from_str(text)
         .map_err(|error| SurfaceError::malformed(Place::Line(error.line()), Fault::NotGltf(error.to_string())))?;
     if let Some(name) = document.extensions_required.iter().find(|name| COMPRESSIONS.contains(&name.as_str())) {
         return Err(SurfaceError::unsupported(part("extensionsRequired"), Unsupported::Extension(name.clone())));
@@ -129,6 +153,10 @@ pub(super) fn read(bytes: &[u8], binary: Option<&[u8]>, neighbor: &mut Neighbor)
         if let Some(mesh) = document.nodes[node].mesh {
             let missing = || SurfaceError::missing(Place::Part(format!("nodes[{node}]")), Item::Mesh(mesh));
             let found = document.meshes.get(mesh).ok_or_else(missing)?;
+            let weights = document.nodes[node].weights.as_ref().unwrap_or(&found.weights);
+            if weights.iter().any(|&weight| weight != 0.0) {
+                return Err(SurfaceError::unsupported(part(&format!("meshes[{mesh}]")), Unsupported::Morphing));
+            }
             for (k, primitive) in found.primitives.iter().enumerate() {
                 let place = Place::Part(format!("meshes[{mesh}].primitives[{k}]"));
                 read_primitive(primitive, &place, transform, &buffers, &mut faces)?;

@@ -156,12 +156,15 @@ pub enum Item {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Unsupported {
-    /// GLB of an unsupported version.
+    /// glTF or GLB of an unsupported version.
     #[error("version {0} of glTF")]
     Version(u32),
     /// A glTF extension that changes where positions or indices are stored.
     #[error("{0} (decode it: gltf-transform cp in.glb out.glb)")]
     Extension(String),
+    /// glTF: a mesh whose shape morph targets change.
+    #[error("morph targets with weights (apply them in the program that made them)")]
+    Morphing,
     /// glTF: a buffer in a separate file.
     #[error("the separate file \"{0}\" (put it beside this one or drop both, use .glb, or embed it)")]
     SeparateFile(String),

@@ -1,13 +1,16 @@
 //! Merges vertices that a program has split: at normals and texture seams, or for each face.
 //!
 //! Vertices at exactly the same position are merged if the surface is a disk then. Else, if it is a disk as it is, it stays:
-//! what looks like a seam is a cut. Else vertices within a billionth of its size are merged if that makes it a disk. Where
+//! what looks like a seam is a cut. In both cases vertices of its boundary within a billionth of its size are merged too, if it
+//! stays a disk: they are the sides of a slit. Else vertices within that distance are merged if that makes it a disk. Where
 //! nothing does, those at the same position are merged in formats that repeat them for each face, and in others if the
 //! surface has fewer parts or loops then.
+//!
+//! Triangles whose corners are merged keep their numbers; [`SurfaceMesh::new`](crate::surface::SurfaceMesh::new) leaves them out.
 
 use crate::geometry::DVec3;
 use crate::surface::edges::EdgeTable;
-use crate::surface::survey::{components, connectivity, repeats};
+use crate::surface::survey::{Connectivity, components, connectivity, repeats};
 use crate::surface::{Surface, SurfaceNote};
 use std::collections::HashMap;
 
@@ -17,17 +20,22 @@ const NEAR: f64 = 1e-9;
 /// The surface with what its program has split merged, and a note; `repeats` says whether the format repeats a vertex for each
 /// face. Cost O(n log d), n triangles with up to d at a vertex.
 pub(super) fn welded(surface: Surface, repeats: bool) -> Surface {
-    let exact = merged(&surface, 0.0);
-    if exact.as_ref().is_some_and(is_disk) {
-        return exact.unwrap_or(surface);
+    let exact = merged(&surface, 0.0, None);
+    if let Some(exact) = &exact
+        && let Some(found) = disk(exact)
+    {
+        return healed(exact, &found).unwrap_or_else(|| exact.clone());
     }
-    if is_disk(&surface) {
-        return match exact {
-            Some(exact) => left_apart(surface, exact.vertices.len()),
-            None => surface,
+    if let Some(found) = disk(&surface) {
+        return match (healed(&surface, &found), exact) {
+            (Some(healed), _) => healed,
+            (None, Some(exact)) => left_apart(surface, exact.vertices.len()),
+            (None, None) => surface,
         };
     }
-    if let Some(near) = merged(&surface, NEAR * extent(&surface)).filter(is_disk) {
+    let most = collapsed(exact.as_ref().unwrap_or(&surface));
+    let near = merged(&surface, NEAR * extent(&surface), None);
+    if let Some(near) = near.filter(|near| collapsed(near) <= most && disk(near).is_some()) {
         return near;
     }
     match exact {
@@ -36,14 +44,34 @@ pub(super) fn welded(surface: Surface, repeats: bool) -> Surface {
     }
 }
 
+/// A disk with this connectivity whose boundary's vertices are merged where they are near each other; `None` if that changes
+/// nothing, leaves no disk, or takes a triangle's area.
+fn healed(surface: &Surface, found: &Connectivity) -> Option<Surface> {
+    let mut is_open = vec![false; surface.vertices.len()];
+    found.loops.iter().flatten().for_each(|&vertex| is_open[vertex as usize] = true);
+    let near = merged(surface, NEAR * extent(surface), Some(&is_open))?;
+    (collapsed(&near) <= collapsed(surface) && disk(&near).is_some()).then_some(near)
+}
+
 /// The surface with a note that so many places are left of its vertices.
 fn left_apart(mut surface: Surface, places: usize) -> Surface {
     surface.notes.push(SurfaceNote::LeftApart { vertices: surface.vertices.len() - places });
     surface
 }
 
-fn is_disk(surface: &Surface) -> bool {
-    connectivity(surface).is_ok_and(|found| found.check_disk(surface).is_ok())
+/// The connectivity of the surface without triangles that name a vertex twice, if that is a disk. Its vertices keep their numbers.
+fn disk(surface: &Surface) -> Option<Connectivity> {
+    let of_disk = |surface: &Surface| connectivity(surface).ok().filter(|found| found.check_disk(surface).is_ok());
+    if collapsed(surface) == 0 {
+        return of_disk(surface);
+    }
+    let triangles = surface.triangles.iter().copied().filter(|corners| !repeats(corners)).collect();
+    of_disk(&Surface::new(surface.vertices.clone(), triangles))
+}
+
+/// The number of triangles that name a vertex twice.
+fn collapsed(surface: &Surface) -> usize {
+    surface.triangles.iter().filter(|corners| repeats(corners)).count()
 }
 
 /// The numbers of components and of boundary loops; largest where they cannot be counted. Faults of single triangles leave the
@@ -67,15 +95,15 @@ fn extent(surface: &Surface) -> f64 {
     (high - low).max_element().max(0.0)
 }
 
-/// The surface with vertices of triangles within `distance` of an earlier one merged into it; `None` if there are none. They
-/// keep the order of their first occurrence. Cost O(n).
-fn merged(surface: &Surface, distance: f64) -> Option<Surface> {
+/// The surface with vertices of triangles within `distance` of an earlier one merged into it, if given only those `among` them;
+/// `None` if there are none. They keep the order of their first occurrence. Cost O(n).
+fn merged(surface: &Surface, distance: f64, among: Option<&[bool]>) -> Option<Surface> {
     let before = surface.vertices.len();
     let mut is_corner = vec![false; before];
     for &vertex in surface.triangles.as_flattened() {
-        *is_corner.get_mut(vertex as usize)? = true;
+        *is_corner.get_mut(vertex as usize)? = among.is_none_or(|among| among[vertex as usize]);
     }
-    let mut known = Places { distance, cells: HashMap::with_capacity(before / 4), met: Vec::new() };
+    let mut known = Places { distance, cells: HashMap::new(), met: Vec::with_capacity(before) };
     // places that are no numbers are near to none
     let number = |(&point, &is_corner): (&DVec3, &bool)| {
         if is_corner && point.is_finite() { known.number(point) } else { known.add(point) }
@@ -86,9 +114,12 @@ fn merged(surface: &Surface, distance: f64) -> Option<Surface> {
         return None;
     }
     let mut notes = surface.notes.clone();
-    notes.push(SurfaceNote::Welded { before, after: places.len() });
+    notes.retain(|note| !matches!(note, SurfaceNote::Welded { .. }));
+    notes.push(SurfaceNote::Welded { before: surface.count_in_file(), after: places.len() });
     let triangles = surface.triangles.iter().map(|corners| corners.map(|v| numbers[v as usize])).collect();
-    Some(Surface { vertices: places, triangles, notes, merged: Some(numbers) })
+    let in_file = (0..surface.count_in_file() as u32).filter_map(|number| surface.vertex_in_file(number));
+    let merged = in_file.map(|vertex| numbers[vertex as usize]).collect();
+    Some(Surface { vertices: places, triangles, notes, merged: Some(merged) })
 }
 
 /// Places that were met, by cells.
@@ -139,10 +170,10 @@ impl Places {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests")]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::surface::{SurfaceMesh, SurfacePreset};
+    use crate::surface::{RepairNote, SurfaceMesh, SurfacePreset};
 
     fn hemisphere() -> Surface {
         SurfacePreset::Hemisphere.surface(40).unwrap()
@@ -179,11 +210,49 @@ mod tests {
         let places = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]];
         let places = places.map(DVec3::from_array).to_vec();
         let cut = Surface::new(places, vec![[0, 2, 1], [0, 3, 2], [1, 2, 3], [4, 1, 3]]);
-        assert!(is_disk(&cut) && !is_disk(&merged(&cut, 0.0).unwrap()));
+        assert!(disk(&cut).is_some() && disk(&merged(&cut, 0.0, None).unwrap()).is_none());
         for repeats in [false, true] {
             let kept = welded(cut.clone(), repeats);
             assert_eq!((kept.vertices.len(), &*kept.notes), (5, &[SurfaceNote::LeftApart { vertices: 1 }][..]));
         }
+    }
+
+    /// A cap of 9 columns and 3 rings as programs make it: the last column repeats the first one up to `noise`, and the pole is a
+    /// row of vertices if `poles`, with faces that have no area there.
+    fn cap(noise: f64, poles: bool) -> Surface {
+        let place = |ring: u32, column: u32| {
+            let angle = f64::from(column % 9) / 9.0 * std::f64::consts::TAU;
+            let off = if column == 9 && ring > 0 { noise } else { 0.0 };
+            let radius = f64::from(ring) / 3.0;
+            DVec3::new(radius * angle.cos(), radius * angle.sin() - off, radius * radius)
+        };
+        let vertices = (0..4).flat_map(|ring| (0..10).map(move |column| place(ring, column))).collect();
+        let number = |ring: u32, column: u32| if ring == 0 && !poles { 0 } else { 10 * ring + column };
+        let quad = |(ring, column): (u32, u32)| {
+            let [a, b] = [0, 1].map(|next| number(ring, column + next));
+            let [c, d] = [1, 0].map(|next| number(ring + 1, column + next));
+            [[a, c, b], [a, d, c]]
+        };
+        let cells = (0..3).flat_map(|ring| (0..9).map(move |column| (ring, column)));
+        let triangles = cells.flat_map(quad).filter(|corners| poles || !repeats(corners)).collect();
+        Surface::new(vertices, triangles)
+    }
+
+    #[test]
+    fn a_seam_up_to_rounding_and_a_pole_of_many_vertices_are_healed() {
+        for (noise, poles) in [(0.0, false), (2e-16, false), (1e-10, false), (0.0, true), (2e-16, true)] {
+            let surface = welded(cap(noise, poles), false);
+            let mesh = SurfaceMesh::new(&surface).unwrap_or_else(|error| panic!("{noise:e}, {poles}: {error}"));
+            let counts = (mesh.mesh().boundary_count(), mesh.mesh().vertices().len(), mesh.mesh().triangles().len());
+            assert_eq!(counts, (9, 28, 45), "{noise:e}, {poles}");
+            let dropped = RepairNote::DroppedTriangles { count: 9 };
+            assert_eq!(mesh.repairs().contains(&dropped), poles, "{:?}", mesh.repairs());
+            // every vertex of the file is the one at its place
+            let at = |number: u32| surface.vertices[surface.vertex_in_file(number).unwrap() as usize];
+            assert!((0..40).all(|k| at(k).distance(cap(noise, poles).vertices[k as usize]) <= noise));
+        }
+        let open = welded(cap(1e-6, false), false);
+        assert_eq!(SurfaceMesh::new(&open).unwrap().mesh().boundary_count(), 9 + 6, "a wide slit stays");
     }
 
     #[test]

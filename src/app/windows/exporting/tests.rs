@@ -2,7 +2,7 @@
 
 use crate::app::RiemapApp;
 use crate::app::input::action::{Action, ExportAction};
-use crate::app::tests::{has_adapter, prepared_model, ready_app, step_until};
+use crate::app::tests::{need_adapter, prepared_model, ready_app, step_until};
 use crate::app::windows::exporting::Exporter;
 use crate::app::windows::exporting::window::{MapState, Surroundings};
 use crate::conformal::{PerSide, Side};
@@ -54,9 +54,7 @@ fn made(model: &Model, request: &ExportRequest) -> ReadyFile {
 
 #[test]
 fn a_picture_is_that_of_the_command_line_and_the_model_stays() {
-    if !has_adapter() {
-        return;
-    }
+    need_adapter();
     let model = prepared_model();
     let (session, generation) = (model.session().clone(), model.generation());
     let request = ExportRequest { transparent: true, ..request(Kind::Picture) };
@@ -75,9 +73,7 @@ fn a_picture_is_that_of_the_command_line_and_the_model_stays() {
 
 #[test]
 fn an_animation_has_its_pictures_and_the_model_stays() {
-    if !has_adapter() {
-        return;
-    }
+    need_adapter();
     let model = prepared_model();
     let session = model.session().clone();
     for (format, path) in [(FilmFormat::Png, Path::All), (FilmFormat::Gif, Path::SourcePoint)] {
@@ -96,9 +92,7 @@ fn an_animation_has_its_pictures_and_the_model_stays() {
 
 #[test]
 fn a_cancelled_export_is_dropped_and_can_be_restarted() {
-    if !has_adapter() {
-        return;
-    }
+    need_adapter();
     let model = prepared_model();
     let (device, queue, _) = headless_device().unwrap();
     let mut exporter = Exporter::default();
@@ -113,9 +107,7 @@ fn a_cancelled_export_is_dropped_and_can_be_restarted() {
 
 #[test]
 fn invalid_animations_are_refused_with_a_message() {
-    if !has_adapter() {
-        return;
-    }
+    need_adapter();
     let (device, queue, _) = headless_device().unwrap();
     let request = ExportRequest { frames: 1, ..request(Kind::Film(FilmFormat::Gif)) };
     let refused = Job::begin(&prepared_model(), &request, scenery(), (&device, &queue)).err();

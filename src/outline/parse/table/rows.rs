@@ -58,13 +58,14 @@ pub(super) fn rows(text: &str) -> Vec<Row<'_>> {
     if best.0 == 0 { divided(Separator::Any) } else { best.1 }
 }
 
-/// The lines that are neither blank nor comments: number, whether it begins a part, content.
+/// The lines that are neither empty nor comments: number, whether it begins a part, content.
 fn lines(text: &str) -> Vec<(usize, bool, &str)> {
     let mut begins_part = false;
     let mut lines = Vec::new();
     for (line, number) in text.lines().zip(1..) {
         let content = line.split('#').next().unwrap_or_default();
-        match content.trim_start().chars().next() {
+        // spreadsheets write empty rows as separators alone
+        match content.trim_start_matches(|c: char| c.is_whitespace() || c == ',' || c == ';').chars().next() {
             None | Some('%') => {}
             Some('>') => begins_part = true,
             Some(_) => lines.push((number, std::mem::take(&mut begins_part), content)),
@@ -98,8 +99,9 @@ impl Divider {
         let has_decimal_commas = matches!(self.separator, Separator::Character(b';' | b'\t'));
         let is_mixed = match self.separator {
             Separator::Any => {
-                let separators = content.matches([',', ';']).count();
-                separators > 0 && separators + 1 != fields.len()
+                let [commas, semicolons] = [',', ';'].map(|separator| content.matches(separator).count());
+                let separators = commas + semicolons;
+                separators > 0 && (separators + 1 != fields.len() || commas.min(semicolons) > 0)
             }
             Separator::Character(b',') => {
                 let [all, before_blanks] = [",", ", "].map(|separator| content.matches(separator).count());
@@ -189,8 +191,32 @@ impl Row<'_> {
         self.is_remark() && !(columns >= 2 && self.fields.len() == columns && others)
     }
 
+    /// Whether these are the names of columns 0, 1, … beside an index without one.
+    fn counts_columns(&self) -> bool {
+        let mut fields = self.fields.iter().zip(0..);
+        let is_unnamed = fields.next().is_some_and(|(field, _)| field.text.is_empty());
+        is_unnamed && self.fields.len() > 2 && fields.all(|(field, k)| field.text == (k - 1).to_string())
+    }
+
+    /// Whether the numbers may be halves of numbers with decimal commas, whose fractions have as many digits as these.
+    pub fn halves(&self, digits: &mut Option<usize>) -> bool {
+        let is_whole = |field: &Field| {
+            !field.text.is_empty() && field.text.trim_start_matches('-').chars().all(|c| c.is_ascii_digit())
+        };
+        self.fields.len() == 4
+            && self.fields.iter().all(is_whole)
+            && [1, 3].iter().all(|&k| {
+                let length = self.fields[k].text.len();
+                length > 1 && !self.fields[k].text.starts_with('-') && *digits.get_or_insert(length) == length
+            })
+    }
+
     /// Errors: a row before the first one of numbers that is no title but one of these with a fault.
     pub fn check_title(&self) -> Result<(), OutlineError> {
+        if self.counts_columns() {
+            return Ok(());
+        }
+
         let is_word = |field: &Field| field.text.starts_with(char::is_alphabetic) && self.value(field).is_none();
         if self.is_remark() || self.fields.iter().any(is_word) { Ok(()) } else { self.numbers().map(|_| ()) }
     }

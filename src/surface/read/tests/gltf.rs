@@ -20,6 +20,17 @@ fn the_buffer_of_a_gltf_file_may_lie_beside_it_and_nowhere_else() {
 }
 
 #[test]
+fn other_versions_and_changed_shapes_are_named() {
+    let refusal = |text: &str| read_surface("a.gltf", text.as_bytes()).unwrap_err().to_string();
+    let old = refusal(r#"{"asset": {"version": "1.0"}, "meshes": {"a": {}}, "nodes": {}}"#);
+    assert!(old.contains("version 1 of glTF"), "{old}");
+    let weighted = gltf().replacen(r#""primitives""#, r#""weights": [0, 0.5], "primitives""#, 1);
+    assert!(refusal(&weighted).contains("morph targets with weights"), "{}", refusal(&weighted));
+    let plain = read_surface("a.gltf", gltf().as_bytes());
+    assert_eq!(read_surface("a.gltf", weighted.replace("0.5", "0").as_bytes()), plain);
+}
+
+#[test]
 fn quantized_and_sparse_positions_are_read() {
     // a triangle in 8 and in 16 bits, and one of which two corners differ from 0
     let bytes: [i8; 12] = [0, 0, 0, 0, 127, 0, 0, 0, 0, -127, 0, 0];
