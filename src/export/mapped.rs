@@ -12,7 +12,7 @@
 //! Between surfaces, the coordinates on the source are `source_x`, `source_y`, `source_z` in PLY and the attribute `_SOURCE`
 //! in GLB, whose texture coordinates are planar.
 
-use super::as_read::Numbers;
+use super::as_read::{Numbers, is_of};
 use super::{EncodedSurface, FileFormat, Flattened, SurfaceSource, flattened::number, glb};
 use crate::conformal::{ConformalMap, Direction, Places};
 use crate::geometry::DVec3;
@@ -59,7 +59,7 @@ impl MappedMesh {
         let triangles = map.given(map.mapped().triangles()).copied();
         let (own, images, triangles) = match surface {
             Some(disk) => (
-                disk.origin_positions().map(Some).collect(),
+                disk.origin_positions().map(Some).collect::<Vec<_>>(),
                 (0..disk.origin_count() as u32)
                     .map(|origin| images.get(disk.number_of(VertexId::new(origin))?.index()).copied())
                     .collect(),
@@ -68,6 +68,8 @@ impl MappedMesh {
             None => (some(own), some(images), triangles.collect()),
         };
         // the reader may have merged vertices of the file
+        let places = surface.map(|disk| disk.origin_positions().collect::<Vec<_>>());
+        let read = read.filter(|read| places.is_some_and(|places| is_of(&places, read)));
         let (own, images, triangles) = match read.map(Numbers::new) {
             Some(numbers) => {
                 let triangles: Vec<[u32; 3]> = triangles;

@@ -28,8 +28,8 @@ pub struct SurfaceMesh {
 
 impl SurfaceMesh {
     /// The surface with its triangles unchanged; an error with all faults if it is not a disk. Vertices in no triangle are
-    /// dropped with a note, wherever they are, and so are triangles whose corners were merged when the surface was read.
-    /// Cost O(n log d).
+    /// dropped with a note, wherever they are, and so are triangles that name a vertex twice, if vertices were merged when the
+    /// surface was read. Cost O(n log d).
     pub fn new(surface: &Surface) -> Result<Self, TopologyError> {
         check_indices(surface)?;
         let mut used = Repaired::untouched(surface.clone());

@@ -29,7 +29,7 @@ pub(super) fn merge_places(repaired: &mut Repaired) {
     let surface = &repaired.surface;
     let mut into: Vec<u32> = (0..surface.vertices.len() as u32).collect();
     let mut first = HashMap::new();
-    for &v in surface.triangles.as_flattened() {
+    for &v in surface.triangles.as_flattened().iter().filter(|&&v| surface.vertices[v as usize].is_finite()) {
         let place = surface.vertices[v as usize] + DVec3::ZERO; // −0 and 0 are the same
         into[v as usize] = *first.entry(place.to_array().map(f64::to_bits)).or_insert(v);
     }

@@ -1,11 +1,11 @@
 //! Repairs that are safe, in a fixed order, each reported in a [`RepairNote`].
 //!
 //! Corners of a triangle at one place are merged; triangles that name a vertex twice are dropped, and those with the corners
-//! of an earlier one; parts are joined along lines on which their vertices differ; the component with the most triangles is kept,
-//! so that faults of others do not matter; the rest is oriented consistently, as most of its triangles are; flat triangles have their longest edge flipped; gaps without area that
-//! reach the boundary are joined; vertices that join fans of triangles are split; vertices in no triangle are dropped; all
-//! boundary loops but one, unless asked otherwise the longest, are filled, or joined if they have no area. Faults whose repair
-//! would need a guess (edges of three triangles) stay errors.
+//! of an earlier one; parts are joined along lines on which their vertices differ; the component with the most triangles is
+//! kept, so that faults of others do not matter; the rest is oriented consistently, as most of its triangles are; flat
+//! triangles have their longest edge flipped; gaps without area that reach the boundary are joined; vertices that join fans of
+//! triangles are split; vertices in no triangle are dropped; all boundary loops but one, unless asked otherwise the longest, are
+//! filled, or joined if they have no area. Faults whose repair would need a guess (edges of three triangles) stay errors.
 
 use super::duplicates::duplicates;
 use super::edges::EdgeTable;
@@ -36,7 +36,7 @@ pub enum RepairNote {
         /// Number of triangles dropped.
         count: usize,
     },
-    /// Corners of a triangle at one place were merged.
+    /// Corners of a triangle, or of two parts that were joined, at one place were merged.
     #[error("{}", counted!(
         *count,
         "1 vertex was merged into its neighbor at the same place",
@@ -259,19 +259,22 @@ pub(super) fn orient(repaired: &mut Repaired) -> Result<(), TopologyError> {
     Ok(())
 }
 
-/// Joins parts that meet in a line on which they do not have the same vertices, if that leaves fewer parts. Where the parts
+/// Joins parts that meet in a line on which they do not have the same vertices, if the largest part grows. Where the parts
 /// cannot be oriented, they stay.
 fn join_parts(repaired: &mut Repaired) {
-    let parts = |surface: &Surface| components(&edges_of(surface), surface.triangles.len()).1.len();
-    let before = parts(&repaired.surface);
-    if before < 2 {
+    let most = |surface: &Surface| {
+        let (_, sizes) = components(&edges_of(surface), surface.triangles.len());
+        sizes.iter().copied().max().unwrap_or(0)
+    };
+    let before = most(&repaired.surface);
+    if before == repaired.surface.triangles.len() {
         return;
     }
     let mut joined = repaired.clone();
     merge_places(&mut joined);
     if orient(&mut joined).is_ok() {
         join_open(&mut joined);
-        if parts(&joined.surface) < before {
+        if most(&joined.surface) > before + joined.surface.triangles.len() - repaired.surface.triangles.len() {
             *repaired = joined;
         }
     }

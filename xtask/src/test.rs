@@ -62,7 +62,10 @@ fn listed(output: &str) -> Vec<String> {
 }
 
 fn cargo_test(places: &Places, arguments: &[&str]) -> Result<Command, Failure> {
-    ensure_program("python3", "python3")?; // runs the formulas that are written as code
+    // they run the formulas that are written as code
+    for (program, package) in [("python3", "python3"), ("node", "nodejs")] {
+        ensure_program(program, package)?;
+    }
     let mut command = Command::new("cargo");
     command.args(["test", "--workspace", "--locked", "--no-fail-fast"]).args(arguments).current_dir(&places.root);
     if cfg!(target_os = "linux") {

@@ -14,6 +14,7 @@ mod obj;
 mod ply;
 
 use super::{FileFormat, Flattened};
+use crate::geometry::DVec3;
 use crate::surface::{Surface, SurfaceFormat, is_sound, packed};
 use faces::Faces;
 pub(super) use numbers::Numbers;
@@ -64,10 +65,7 @@ impl Flattened {
 
     /// The file with texture coordinates, in its own format; `None` if what it has besides triangles cannot be kept.
     fn as_read(&self, source: SurfaceSource<'_>) -> Option<Vec<u8>> {
-        let given = source.surface.vertices();
-        let own = self.vertices().get(..given.len())?;
-        // a file that is not the surface's; a place that is no number is written as another one
-        if own.iter().zip(given).any(|(own, given)| own != given && is_sound(*given)) {
+        if !is_of(self.vertices(), source.surface) {
             return None;
         }
         match source.format {
@@ -80,4 +78,11 @@ impl Flattened {
             SurfaceFormat::Stl | SurfaceFormat::Off => None,
         }
     }
+}
+
+/// Whether vertices begin with those of a surface as it was read. One at no place is written at another one's.
+pub(super) fn is_of(vertices: &[DVec3], surface: &Surface) -> bool {
+    let given = surface.vertices();
+    let own = vertices.get(..given.len());
+    own.is_some_and(|own| own.iter().zip(given).all(|(own, given)| own == given || !is_sound(*given)))
 }

@@ -52,16 +52,20 @@ pub fn file(model: &Model, request: FileRequest, picture: Option<&RgbaImage>) ->
     if model.abilities().has_layout() {
         return surface_file(model, map.mapped_side(), request, picture);
     }
+    let name = format!("riemap.{}", request.format.extension());
     let bytes = match request.format {
         FileFormat::Svg if map.is_through_disk() => disks(model, map, request.side)?.into_bytes(),
         FileFormat::Svg => drawing(model, request.side)?.into_bytes(),
         FileFormat::Csv => boundary_csv(map).into_bytes(),
-        FileFormat::Obj | FileFormat::Ply | FileFormat::Glb => match mapped_mesh(map, request.format, None) {
-            Some(mesh) => mesh.bytes,
-            None => return Some(Err(key::planar_map_format(request.format.extension()))),
-        },
+        FileFormat::Obj | FileFormat::Ply | FileFormat::Glb => {
+            let source = model.surface(map.mapped_side()).and_then(|(surface, _)| surface.preparation.source());
+            let Some(mesh) = with_source(source, |source| mapped_mesh(map, request.format, source)) else {
+                return Some(Err(key::planar_map_format(request.format.extension())));
+            };
+            let note = mesh.is_bare.then(|| key::bare_triangles(&name));
+            return Some(Ok(ReadyFile { name, bytes: mesh.bytes, note }));
+        }
     };
-    let name = format!("riemap.{}", request.format.extension());
     Some(Ok(ReadyFile::new(name, bytes)))
 }
 
@@ -81,27 +85,21 @@ fn surface_file(
             EncodedSurface { bytes: flattened.glb(Some(&base)), is_bare: false }
         }
         Some(Err(error)) => return Some(Err(error)),
-        None => as_read(surface.preparation.source(), &flattened, request.format),
+        None => with_source(surface.preparation.source(), |source| flattened.encode_as_read(request.format, source)),
     };
     let name = format!("{}-mapped.{}", stem(&state.spec.shape), request.format.extension());
     let note = is_bare.then(|| key::bare_triangles(&name));
     Some(Ok(ReadyFile { name, bytes, note }))
 }
 
-/// The surface in a file format, in that of its own file as it was read.
-fn as_read(source: Option<&SurfaceSource>, flattened: &Flattened, format: FileFormat) -> EncodedSurface {
-    let Some(SurfaceSource::File(file)) = source else { return flattened.encode_as_read(format, None) };
-    let own = SurfaceFormat::of(&file.name, &file.bytes).ok();
-    let Some(own) = own.filter(|own| export::SurfaceSource::is_kept(*own, format)) else {
-        return flattened.encode_as_read(format, None);
-    };
-    match read_surface(&file.name, &file.bytes) {
-        Ok(surface) => {
-            let source = export::SurfaceSource { format: own, bytes: &file.bytes, surface: &surface };
-            flattened.encode_as_read(format, Some(source))
-        }
-        Err(_) => EncodedSurface { bytes: flattened.encode(format), is_bare: true },
-    }
+/// What `write` makes of a surface's file and the surface as it was read from it, or of none.
+fn with_source<R>(source: Option<&SurfaceSource>, write: impl FnOnce(Option<export::SurfaceSource>) -> R) -> R {
+    let file = source.and_then(|source| if let SurfaceSource::File(file) = source { Some(file) } else { None });
+    let read = file.and_then(|file| {
+        let format = SurfaceFormat::of(&file.name, &file.bytes).ok()?;
+        Some((format, &file.bytes, read_surface(&file.name, &file.bytes).ok()?))
+    });
+    write(read.as_ref().map(|(format, bytes, surface)| export::SurfaceSource { format: *format, bytes, surface }))
 }
 
 /// The surface over an outline with its texture coordinates, as it is saved: divided at the outline's corners if the

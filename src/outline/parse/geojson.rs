@@ -69,7 +69,7 @@ impl<'a> Collected<'a> {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct GeoRing {
-    /// The `properties.name` of the feature around it.
+    /// The name of the feature around it, from its properties or its `id`.
     pub name: Option<String>,
     /// The number of that feature, counted from 1.
     pub feature: usize,

@@ -135,7 +135,7 @@ pub fn parse_geo_rings(bytes: &[u8], how: &Reading) -> Result<Vec<GeoRing>, Outl
     Ok(rings)
 }
 
-/// The file as text, which is not blank: UTF-8, UTF-16 with a byte-order mark, or the Latin-1 of a table whose titles have
+/// The file as text, which is not blank: UTF-8, UTF-16, or the Latin-1 of a table whose titles have
 /// umlauts. Other bytes are refused.
 fn text(bytes: &[u8]) -> Result<Cow<'_, str>, OutlineError> {
     if bytes.len() > MAX_BYTES {

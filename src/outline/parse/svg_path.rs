@@ -85,8 +85,8 @@ impl Subpath {
         self.closed_explicitly || self.end() == self.start
     }
 
-    /// The closed chain of segments, transformed, y upwards; without those of no length, and lines that only rounding has made
-    /// between two arcs.
+    /// The closed chain of segments, transformed, y upwards; without those of no length, and lines no longer than rounding, as
+    /// between the arcs of a pill.
     pub fn placed(&self, placement: DAffine2) -> Vec<Segment> {
         // SVG's y points down
         let upwards = |p: DVec2| DVec2::new(p.x, -p.y);

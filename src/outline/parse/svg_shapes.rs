@@ -50,17 +50,21 @@ impl Shape<'_> {
 /// The part of the plane that a drawing shows, y downwards as in its file.
 pub(super) struct Page {
     low: DVec2,
-    size: DVec2,
+    /// `None` if the drawing does not say it.
+    size: Option<DVec2>,
 }
 
 impl Page {
-    /// From the `viewBox`, or else the size in pixels.
+    /// From the `viewBox`, or else the width and height, in pixels.
     pub fn of(document: &Document, tree: &Tree) -> Self {
         if let Some(view) = view_box(document) {
-            return Self { low: DVec2::new(view.x, view.y), size: DVec2::new(view.w, view.h) };
+            return Self { low: DVec2::new(view.x, view.y), size: Some(DVec2::new(view.w, view.h)) };
         }
-        let size = tree.size();
-        Self { low: DVec2::ZERO, size: DVec2::new(size.width().into(), size.height().into()) }
+        let is_length = |name| document.root_element().attribute(name).is_some_and(|length| !length.contains('%'));
+        // of a drawing without a size, `usvg` gives that of what is drawn
+        let is_known = is_length("width") && is_length("height");
+        let size = || DVec2::new(tree.size().width().into(), tree.size().height().into());
+        Self { low: DVec2::ZERO, size: is_known.then(size) }
     }
 }
 
@@ -250,10 +254,11 @@ const UNCOVERED: f64 = 1e-3;
 
 /// Whether the chain is a rectangle with horizontal and vertical sides that contains the page.
 fn covers(chain: &[DVec2], page: &Page) -> bool {
+    let Some(size) = page.size else { return false };
     let own = Bounds::of(chain.iter().copied());
-    let margin = UNCOVERED * page.size;
+    let margin = UNCOVERED * size;
     // of the chain, y points upwards
-    let high = DVec2::new(page.low.x + page.size.x, -page.low.y);
-    let contains = own.min().cmple(high - page.size + margin).all() && own.max().cmpge(high - margin).all();
+    let high = DVec2::new(page.low.x + size.x, -page.low.y);
+    let contains = own.min().cmple(high - size + margin).all() && own.max().cmpge(high - margin).all();
     contains && signed_area(chain).abs() >= (1.0 - UNCOVERED) * own.size().element_product()
 }

@@ -141,11 +141,18 @@ fn a_rectangle_with_corners_as_round_as_it_is_high_is_a_circle_or_a_pill() {
 
 #[test]
 fn a_page_has_its_size_in_any_unit() {
-    for size in ["width='75pt' height='75pt'", "width='100' height='100'", ""] {
+    for size in ["width='75pt' height='75pt'", "width='100' height='100'"] {
         let background = "<rect width='100%' height='100%' fill='#eee'/>";
         let text = format!(
             "<svg xmlns='http://www.w3.org/2000/svg' {size}>{background}<rect x='20' y='30' width='40' height='40'/></svg>"
         );
         assert_eq!(parse("a.svg", text.as_bytes()).unwrap().polygon().area(), 1600.0, "{size}");
+    }
+    // without a size there is no page, and no background
+    for size in ["", "width='100%' height='100%'"] {
+        let text = format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' {size}><rect width='90' height='60'/><circle cx='30' cy='30' r='5'/></svg>"
+        );
+        assert_eq!(parse("a.svg", text.as_bytes()).unwrap().polygon().area(), 5400.0, "{size}");
     }
 }

@@ -51,9 +51,9 @@ fn table(text: &str) -> Result<Table, OutlineError> {
     if let Some(k) = (0..rows.len()).find(|&k| numbers[k].len() != width || (width > 2 && rows[k].is_mixed)) {
         return Err(OutlineError::NumbersOnLine { line: rows[k].line, count: numbers[k].len() });
     }
-    let names_two = |row: &Row| row.fields.len() <= 2;
+    let names_two = titles.iter().all(|row| row.fields.len() <= 2);
     let mut digits = None;
-    if width == 4 && rows.iter().all(|row| row.halves(&mut digits)) && titles.last().is_none_or(names_two) {
+    if width == 4 && rows.iter().all(|row| row.halves(&mut digits)) && names_two {
         // decimal commas between commas
         return Err(OutlineError::NumbersOnLine { line: rows[0].line, count: width });
     }

@@ -424,7 +424,10 @@ fn numbers_that_may_be_others_are_refused() {
             "{refused:?}"
         );
     }
-    // four columns with names are four columns
+    // four columns with names are four columns, and so are those between other separators
+    for text in ["0 10 0 50\n4 10 0 60\n4 75 3 50\n0 80 3 10\n", "0;10;0;50\n4;10;0;60\n4;75;3;50\n0;80;3;10\n"] {
+        assert_eq!(parse("x.csv", text.as_bytes()).unwrap().polygon().vertices().len(), 4, "{text:?}");
+    }
     let named = "x,y,a,b\n0,10,0,50\n4,10,0,60\n4,75,3,50\n0,80,3,10\n";
     assert_eq!(parse("x.csv", named.as_bytes()).unwrap().polygon().vertices().len(), 4);
 }

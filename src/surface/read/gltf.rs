@@ -12,6 +12,7 @@ use crate::surface::Surface;
 use crate::surface::survey::repeats;
 use glam::{DMat4, DQuat};
 use serde::Deserialize;
+use serde::de::IgnoredAny;
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
@@ -54,7 +55,7 @@ pub(super) struct Node {
 #[serde(default)]
 pub(super) struct Mesh {
     pub primitives: Vec<Primitive>,
-    weights: Vec<f64>,
+    weights: Option<Vec<f64>>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -63,6 +64,7 @@ pub(super) struct Primitive {
     pub attributes: Attributes,
     pub indices: Option<usize>,
     pub mode: Option<u32>,
+    targets: Option<Vec<IgnoredAny>>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -153,8 +155,9 @@ pub(super) fn read(bytes: &[u8], binary: Option<&[u8]>, neighbor: &mut Neighbor)
         if let Some(mesh) = document.nodes[node].mesh {
             let missing = || SurfaceError::missing(Place::Part(format!("nodes[{node}]")), Item::Mesh(mesh));
             let found = document.meshes.get(mesh).ok_or_else(missing)?;
-            let weights = document.nodes[node].weights.as_ref().unwrap_or(&found.weights);
-            if weights.iter().any(|&weight| weight != 0.0) {
+            let weights = document.nodes[node].weights.as_ref().or(found.weights.as_ref());
+            let is_morphed = weights.into_iter().flatten().any(|&weight| weight != 0.0);
+            if is_morphed && found.primitives.iter().any(|part| part.targets.iter().flatten().next().is_some()) {
                 return Err(SurfaceError::unsupported(part(&format!("meshes[{mesh}]")), Unsupported::Morphing));
             }
             for (k, primitive) in found.primitives.iter().enumerate() {

@@ -86,7 +86,7 @@ pub fn read_surface_beside(file_name: &str, bytes: &[u8], neighbor: &mut Neighbo
     Ok(weld::welded(surface, matches!(format, SurfaceFormat::Stl | SurfaceFormat::Gltf | SurfaceFormat::Glb)))
 }
 
-/// Text after a byte order mark, as editors put it, in UTF-8; anything else as it is.
+/// Text in UTF-16, or after a byte order mark, as editors put it, in UTF-8; anything else as it is.
 pub(crate) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
     if stl::is_binary(bytes) {
         return bytes.into();

@@ -21,11 +21,11 @@ const NEAR: f64 = 1e-9;
 /// face. Cost O(n log d), n triangles with up to d at a vertex.
 pub(super) fn welded(surface: Surface, repeats: bool) -> Surface {
     let exact = merged(&surface, 0.0, None);
-    if let Some(exact) = &exact
-        && let Some(found) = disk(exact)
-    {
-        return healed(exact, &found).unwrap_or_else(|| exact.clone());
-    }
+    let found = exact.as_ref().and_then(disk);
+    let exact = match (exact, found) {
+        (Some(exact), Some(found)) => return healed(&exact, &found).unwrap_or(exact),
+        (exact, _) => exact,
+    };
     if let Some(found) = disk(&surface) {
         return match (healed(&surface, &found), exact) {
             (Some(healed), _) => healed,
@@ -101,7 +101,7 @@ fn merged(surface: &Surface, distance: f64, among: Option<&[bool]>) -> Option<Su
     let before = surface.vertices.len();
     let mut is_corner = vec![false; before];
     for &vertex in surface.triangles.as_flattened() {
-        *is_corner.get_mut(vertex as usize)? = among.is_none_or(|among| among[vertex as usize]);
+        *is_corner.get_mut(vertex as usize)? = among.is_none_or(|among| among.get(vertex as usize) == Some(&true));
     }
     let mut known = Places { distance, cells: HashMap::new(), met: Vec::with_capacity(before) };
     // places that are no numbers are near to none

@@ -198,12 +198,16 @@ impl Row<'_> {
         is_unnamed && self.fields.len() > 2 && fields.all(|(field, k)| field.text == (k - 1).to_string())
     }
 
-    /// Whether the numbers may be halves of numbers with decimal commas, whose fractions have as many digits as these.
+    /// Whether the numbers may be halves of two with decimal commas: four whole ones with nothing but commas between them, of
+    /// which the fractions have as many digits as these.
     pub fn halves(&self, digits: &mut Option<usize>) -> bool {
         let is_whole = |field: &Field| {
             !field.text.is_empty() && field.text.trim_start_matches('-').chars().all(|c| c.is_ascii_digit())
         };
+        let content = self.content.trim();
         self.fields.len() == 4
+            && content.matches(',').count() == 3
+            && !content.contains(|c: char| c == ';' || c.is_whitespace())
             && self.fields.iter().all(is_whole)
             && [1, 3].iter().all(|&k| {
                 let length = self.fields[k].text.len();
