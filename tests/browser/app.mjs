@@ -37,6 +37,12 @@ function makeFramesHoldable() {
   };
 }
 
+/** What every page of the app needs before its scripts run. */
+async function makeTestable(page) {
+  await page.addInitScript(makeFramesHoldable);
+  if (!SHOTS) await page.addInitScript(leaveScreenBlank);
+}
+
 /** The app on one page. Faults of the page are recorded, and `during` fails if there are any. */
 export class App {
   #page;
@@ -48,8 +54,7 @@ export class App {
   static async open(browser, address, { backend, prepare, ...options }) {
     const page = await newPage(browser, options);
     const app = new App(page, backend);
-    await page.addInitScript(makeFramesHoldable);
-    if (!SHOTS) await page.addInitScript(leaveScreenBlank);
+    await makeTestable(page);
     if (prepare) await page.addInitScript(prepare);
     await page.goto(address);
     return app;
@@ -72,8 +77,7 @@ export class App {
   /** Opens another tab as "Duplicate tab" does: with the address and the entry of the history of this one. */
   async duplicate() {
     const page = await this.#page.context().newPage();
-    await page.addInitScript(makeFramesHoldable);
-    if (!SHOTS) await page.addInitScript(leaveScreenBlank);
+    await makeTestable(page);
     await page.addInitScript((state) => {
       if (sessionStorage.getItem('duplicated')) return; // it is reloaded
       sessionStorage.setItem('duplicated', 'yes');
@@ -309,7 +313,7 @@ export class App {
       const said = await this.#saidAfter(spoken);
       spoken = said.spoken;
       heard.push(said.text);
-      if (!control.test(heard.at(-1))) continue;
+      if (!control.test(said.text)) continue;
       // the announcement may belong to the previous key press; then the focus has already moved on
       await this.#frames();
       if (control.test(await this.#page.textContent('#spoken'))) return;
